@@ -1,0 +1,233 @@
+//! The combinatorial core of every mesh: elements of dimension 0 to 3 and the boundary matrices between them.
+
+use std::sync::OnceLock;
+
+use crate::boundary::{self, BoundaryMatrix};
+use crate::mesh::MeshError;
+
+/// Elements of dimensions 0 to `dimension()` and the signed boundary matrices ∂ᵏ between them.
+///
+/// ∂ᵏ has one row for each element of dimension k − 1 and one column for each element of dimension k. An entry is +1
+/// where the orientation of the smaller element agrees with the one that the larger induces on it, −1 where it does
+/// not, and absent where the one is no side of the other; ∂ᵏ⁻¹∂ᵏ = 0. So ∂¹ is vertices × edges (−1 at the tail of
+/// the edge, +1 at its head), ∂² edges × faces, ∂³ faces × cells. (Dong et al. number them from ∂⁰ in the language and
+/// from ∂¹ in the text; this crate follows the text.)
+///
+/// Every ∂ᵏ is stored together with its transpose, both in compressed columns, so that the boundary of an element and
+/// the elements around it are each one slice: [`boundary_column`](Self::boundary_column) and
+/// [`coboundary_column`](Self::coboundary_column). The unsigned matrices are made when first asked for.
+///
+/// # Panics
+/// Methods with a parameter `k` panic unless 1 ≤ k ≤ `dimension()`, those with an element number panic if there is no
+/// such element, as indexing a slice does.
+#[derive(Clone, Debug)]
+pub struct CellComplex {
+    n_elements: [usize; 4],
+    incidences: Vec<Incidence>,
+}
+
+/// ∂ᵏ for one k, in its four forms.
+#[derive(Clone, Debug)]
+struct Incidence {
+    boundary: BoundaryMatrix,
+    transpose: BoundaryMatrix,
+    unsigned_boundary: OnceLock<BoundaryMatrix>,
+    unsigned_transpose: OnceLock<BoundaryMatrix>,
+}
+
+impl CellComplex {
+    /// The complex with the given numbers of elements and pairs of ∂ᵏ and its transpose for k = 1, 2, …
+    ///
+    /// The caller guarantees all that [`from_boundary_matrices`](Self::from_boundary_matrices) checks.
+    pub(crate) fn new(n_vertices: usize, matrices: Vec<(BoundaryMatrix, BoundaryMatrix)>) -> Self {
+        let mut n_elements = [n_vertices, 0, 0, 0];
+        for (k, (boundary, _)) in matrices.iter().enumerate() {
+            n_elements[k + 1] = boundary.cols();
+        }
+        let incidence = |(boundary, transpose)| Incidence {
+            boundary,
+            transpose,
+            unsigned_boundary: OnceLock::new(),
+            unsigned_transpose: OnceLock::new(),
+        };
+        CellComplex {
+            n_elements,
+            incidences: matrices.into_iter().map(incidence).collect(),
+        }
+    }
+
+    /// The complex with boundary matrices ∂¹, ∂², … (one to three of them), in either storage order of `sprs`.
+    ///
+    /// The numbering of the elements is that of the rows and columns given.
+    ///
+    /// # Errors
+    /// - [`MeshError::NumberOfMatrices`] unless there are one, two or three matrices;
+    /// - [`MeshError::TooManyElements`] if a dimension has more elements than a `u32` can number;
+    /// - [`MeshError::ShapeMismatch`] if ∂ᵏ⁻¹ has another number of columns than ∂ᵏ has rows;
+    /// - [`MeshError::InvalidEntry`] if a stored entry is neither −1 nor +1;
+    /// - [`MeshError::InvalidEdge`] if a column of ∂¹ is not one −1 and one +1;
+    /// - [`MeshError::NotAComplex`] if ∂ᵏ⁻¹∂ᵏ ≠ 0, with the first element whose boundary has a boundary.
+    pub fn from_boundary_matrices(matrices: &[BoundaryMatrix]) -> Result<Self, MeshError> {
+        if !(1..=3).contains(&matrices.len()) {
+            return Err(MeshError::NumberOfMatrices {
+                found: matrices.len(),
+            });
+        }
+        for (index, pair) in matrices.windows(2).enumerate() {
+            if pair[0].cols() != pair[1].rows() {
+                return Err(MeshError::ShapeMismatch {
+                    k: index + 2,
+                    rows: pair[1].rows(),
+                    expected: pair[0].cols(),
+                });
+            }
+        }
+        let mut checked = Vec::with_capacity(matrices.len());
+        for (index, matrix) in matrices.iter().enumerate() {
+            let matrix = boundary::checked(index + 1, matrix)?;
+            let transpose = boundary::transpose(&matrix);
+            checked.push((matrix, transpose));
+        }
+        let complex = CellComplex::new(matrices[0].rows(), checked);
+        complex.check_edges()?;
+        for k in 2..=complex.dimension() {
+            complex.check_boundary_of_boundary(k)?;
+        }
+        Ok(complex)
+    }
+
+    fn check_edges(&self) -> Result<(), MeshError> {
+        match (0..self.n(1))
+            .find(|&edge| !matches!(self.boundary_column(1, edge).1, [-1, 1] | [1, -1]))
+        {
+            Some(edge) => Err(MeshError::InvalidEdge { edge }),
+            None => Ok(()),
+        }
+    }
+
+    fn check_boundary_of_boundary(&self, k: usize) -> Result<(), MeshError> {
+        let mut sums: Vec<(u32, i64)> = Vec::new();
+        for j in 0..self.n(k) {
+            sums.clear();
+            let (sides, signs) = self.boundary_column(k, j);
+            for (&side, &sign) in sides.iter().zip(signs) {
+                let (rows, entries) = self.boundary_column(k - 1, side as usize);
+                sums.extend(
+                    rows.iter()
+                        .zip(entries)
+                        .map(|(&row, &entry)| (row, i64::from(entry * sign))),
+                );
+            }
+            sums.sort_unstable_by_key(|&(row, _)| row);
+            let cancels =
+                |group: &[(u32, i64)]| group.iter().map(|&(_, term)| term).sum::<i64>() == 0;
+            if !sums.chunk_by(|left, right| left.0 == right.0).all(cancels) {
+                return Err(MeshError::NotAComplex {
+                    kind: boundary::kind(k),
+                    element: j,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The highest dimension for which there is a boundary matrix: 1 to 3.
+    #[inline]
+    pub fn dimension(&self) -> usize {
+        self.incidences.len()
+    }
+
+    /// Number of elements of dimension `dimension`; 0 above [`dimension()`](Self::dimension).
+    ///
+    /// # Panics
+    /// If `dimension` > 3.
+    #[inline]
+    pub fn n(&self, dimension: usize) -> usize {
+        self.n_elements[dimension]
+    }
+
+    /// Σₖ (−1)ᵏ nₖ, the Euler characteristic.
+    pub fn euler_characteristic(&self) -> i64 {
+        let [vertices, edges, faces, cells] = self.n_elements.map(|n| n as i64);
+        vertices - edges + faces - cells
+    }
+
+    #[inline]
+    fn incidence(&self, k: usize) -> &Incidence {
+        match k
+            .checked_sub(1)
+            .and_then(|index| self.incidences.get(index))
+        {
+            Some(incidence) => incidence,
+            None => no_such_boundary_matrix(k, self.dimension()),
+        }
+    }
+
+    /// Column `j` of ∂ᵏ: the sides of element `j` of dimension `k`, ascending, and their signs.
+    #[inline]
+    pub fn boundary_column(&self, k: usize, j: usize) -> (&[u32], &[i8]) {
+        boundary::column(&self.incidence(k).boundary, j)
+    }
+
+    /// Row `i` of ∂ᵏ, a column of its transpose: the elements of dimension `k` of which element `i` of dimension
+    /// `k` − 1 is a side, ascending, and its sign in each.
+    #[inline]
+    pub fn coboundary_column(&self, k: usize, i: usize) -> (&[u32], &[i8]) {
+        boundary::column(&self.incidence(k).transpose, i)
+    }
+
+    /// Entry of ∂ᵏ: −1, +1, or 0 where `row` is no side of `column`.
+    ///
+    /// Searches the column: linear in the few sides that an element usually has, binary in long ones.
+    #[inline]
+    pub fn boundary_entry(&self, k: usize, row: usize, column: usize) -> i8 {
+        assert!(
+            row < self.n(k - 1),
+            "row {row} of ∂{k} is out of range: there are {} rows",
+            self.n(k - 1)
+        );
+        let (rows, signs) = self.boundary_column(k, column);
+        let position = if rows.len() <= 16 {
+            rows.iter().position(|&other| other as usize == row)
+        } else {
+            rows.binary_search(&(row as u32)).ok()
+        };
+        position.map_or(0, |position| signs[position])
+    }
+
+    /// ∂ᵏ, shape n(k − 1) × n(k), entries −1 and +1.
+    #[inline]
+    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
+        &self.incidence(k).boundary
+    }
+
+    /// (∂ᵏ)ᵀ, shape n(k) × n(k − 1), entries −1 and +1: stored, in compressed columns.
+    #[inline]
+    pub fn boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
+        &self.incidence(k).transpose
+    }
+
+    /// |∂ᵏ|, shape n(k − 1) × n(k), entries 1. Made on the first call.
+    pub fn unsigned_boundary(&self, k: usize) -> &BoundaryMatrix {
+        let incidence = self.incidence(k);
+        incidence
+            .unsigned_boundary
+            .get_or_init(|| boundary::unsigned(&incidence.boundary))
+    }
+
+    /// |∂ᵏ|ᵀ, shape n(k) × n(k − 1), entries 1: in compressed columns. Made on the first call.
+    pub fn unsigned_boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
+        let incidence = self.incidence(k);
+        incidence
+            .unsigned_transpose
+            .get_or_init(|| boundary::unsigned(&incidence.transpose))
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn no_such_boundary_matrix(k: usize, dimension: usize) -> ! {
+    panic!(
+        "there is no boundary matrix ∂{k} in a mesh of dimension {dimension}: k goes from 1 to {dimension}"
+    )
+}
