@@ -17,6 +17,22 @@ pub struct Source {
     /// For each line of the text, how many characters of the file's line stand before it. Lines past the end
     /// of the list start at column 1.
     pub indents: Vec<u32>,
+    /// Exact places, for a text whose lines are not consecutive lines of the file: a string literal with escapes,
+    /// or a body of one literal for each line. In order of their offsets; empty where `first_line` and `indents`
+    /// say everything.
+    pub places: Vec<Place>,
+}
+
+/// From the byte `offset` of a text on, it stands at this line and column of the file (both from 1, in characters),
+/// until the next place; a line break in between goes to column 1 of the next line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Byte of the text.
+    pub offset: u32,
+    /// Line of the file.
+    pub line: u32,
+    /// Column in that line.
+    pub column: u32,
 }
 
 impl Source {
@@ -27,6 +43,7 @@ impl Source {
             text: text.into(),
             first_line: 1,
             indents: Vec::new(),
+            places: Vec::new(),
         }
     }
 
@@ -35,6 +52,15 @@ impl Source {
         let mut offset = (offset as usize).min(self.text.len());
         while !self.text.is_char_boundary(offset) {
             offset -= 1;
+        }
+        let next = self.places.partition_point(|p| p.offset as usize <= offset);
+        if let Some(place) = next.checked_sub(1).map(|k| self.places[k]) {
+            let since = &self.text[(place.offset as usize).min(offset)..offset];
+            let column = since.rsplit('\n').next().unwrap_or("").chars().count() as u32;
+            return match since.matches('\n').count() as u32 {
+                0 => (place.line, place.column + column),
+                lines => (place.line + lines, column + 1),
+            };
         }
         let before = &self.text[..offset];
         let line = before.matches('\n').count();
