@@ -1,0 +1,11 @@
+//! What every example shares: pictures of meshes, generated meshes, timing.
+
+// Every example that includes this module uses only a part of it.
+#![allow(dead_code, unused_imports)]
+
+pub mod colour;
+pub mod generate;
+mod lettering;
+pub mod picture;
+mod raster;
+pub mod timing;
