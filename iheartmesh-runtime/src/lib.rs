@@ -22,6 +22,8 @@
 mod boundary;
 pub mod complex;
 mod element;
+#[cfg(feature = "io")]
+pub mod io;
 mod mesh;
 mod set;
 

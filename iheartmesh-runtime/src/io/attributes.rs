@@ -1,0 +1,209 @@
+//! Named values on the vertices and faces of a mesh.
+
+use glam::DVec3;
+
+use crate::element::ElementKind;
+
+/// The values of one attribute, one for each element of its kind in ascending order.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AttributeValues {
+    /// Real numbers.
+    Scalar(Vec<f64>),
+    /// Vectors of ℝ³.
+    Vector(Vec<DVec3>),
+    /// Red, green and blue, each from 0 to 255.
+    Color(Vec<[u8; 3]>),
+}
+
+impl AttributeValues {
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        match self {
+            AttributeValues::Scalar(values) => values.len(),
+            AttributeValues::Vector(values) => values.len(),
+            AttributeValues::Color(values) => values.len(),
+        }
+    }
+
+    /// Whether there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Named values on all elements of a kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    pub(super) element: ElementKind,
+    pub(super) name: String,
+    pub(super) values: AttributeValues,
+}
+
+impl Attribute {
+    /// The kind of element that carries the values: vertex or face.
+    pub fn element(&self) -> ElementKind {
+        self.element
+    }
+
+    /// The name, as it stands in the file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The values.
+    pub fn values(&self) -> &AttributeValues {
+        &self.values
+    }
+}
+
+/// The name of [`Attributes::vertex_colors`] and [`Attributes::face_colors`].
+pub(super) const COLOR: &str = "color";
+/// The name under which vertex or face normals are written so that other programs know them.
+pub(super) const NORMAL: &str = "normal";
+
+/// The values that a mesh file carries besides positions and polygons, in the order of the file.
+///
+/// Made by a chain of calls. Lengths and names are checked when the file is written.
+///
+/// ```
+/// use iheartmesh_runtime::io::Attributes;
+///
+/// let attributes = Attributes::new()
+///     .vertex_scalar("curvature", [0.0, 1.0, 2.0])
+///     .face_scalar("area", [0.5])
+///     .vertex_colors([[255, 0, 0], [0, 255, 0], [0, 0, 255]]);
+/// assert_eq!(attributes.iter().count(), 3);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Attributes {
+    list: Vec<Attribute>,
+}
+
+impl Attributes {
+    /// No attributes.
+    pub fn new() -> Self {
+        Attributes::default()
+    }
+
+    /// Adds a real number for each vertex.
+    #[must_use]
+    pub fn vertex_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
+        self.with(
+            ElementKind::Vertex,
+            name,
+            AttributeValues::Scalar(values.into()),
+        )
+    }
+
+    /// Adds a real number for each face.
+    #[must_use]
+    pub fn face_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
+        self.with(
+            ElementKind::Face,
+            name,
+            AttributeValues::Scalar(values.into()),
+        )
+    }
+
+    /// Adds a vector for each vertex. A vector named `normal` is written as what other programs take for normals.
+    #[must_use]
+    pub fn vertex_vector(self, name: &str, values: impl Into<Vec<DVec3>>) -> Self {
+        self.with(
+            ElementKind::Vertex,
+            name,
+            AttributeValues::Vector(values.into()),
+        )
+    }
+
+    /// Adds a vector for each face. A vector named `normal` is written as what other programs take for normals.
+    #[must_use]
+    pub fn face_vector(self, name: &str, values: impl Into<Vec<DVec3>>) -> Self {
+        self.with(
+            ElementKind::Face,
+            name,
+            AttributeValues::Vector(values.into()),
+        )
+    }
+
+    /// Adds a colour for each vertex: red, green and blue, each from 0 to 255. Its name is `color`.
+    #[must_use]
+    pub fn vertex_colors(self, values: impl Into<Vec<[u8; 3]>>) -> Self {
+        self.with(
+            ElementKind::Vertex,
+            COLOR,
+            AttributeValues::Color(values.into()),
+        )
+    }
+
+    /// Adds a colour for each face: red, green and blue, each from 0 to 255. Its name is `color`.
+    #[must_use]
+    pub fn face_colors(self, values: impl Into<Vec<[u8; 3]>>) -> Self {
+        self.with(
+            ElementKind::Face,
+            COLOR,
+            AttributeValues::Color(values.into()),
+        )
+    }
+
+    fn with(mut self, element: ElementKind, name: &str, values: AttributeValues) -> Self {
+        self.push(element, name, values);
+        self
+    }
+
+    pub(super) fn push(&mut self, element: ElementKind, name: &str, values: AttributeValues) {
+        self.list.push(Attribute {
+            element,
+            name: name.to_owned(),
+            values,
+        });
+    }
+
+    /// All attributes in order.
+    pub fn iter(&self) -> std::slice::Iter<'_, Attribute> {
+        self.list.iter()
+    }
+
+    /// The values of the attribute with this name on this kind of element.
+    pub fn get(&self, element: ElementKind, name: &str) -> Option<&AttributeValues> {
+        let is_wanted =
+            |attribute: &&Attribute| attribute.element == element && attribute.name == name;
+        self.list
+            .iter()
+            .find(is_wanted)
+            .map(|attribute| &attribute.values)
+    }
+
+    /// The real numbers with this name on this kind of element.
+    pub fn scalar(&self, element: ElementKind, name: &str) -> Option<&[f64]> {
+        match self.get(element, name) {
+            Some(AttributeValues::Scalar(values)) => Some(values),
+            _ => None,
+        }
+    }
+
+    /// The vectors with this name on this kind of element. Normals have the name `normal`.
+    pub fn vector(&self, element: ElementKind, name: &str) -> Option<&[DVec3]> {
+        match self.get(element, name) {
+            Some(AttributeValues::Vector(values)) => Some(values),
+            _ => None,
+        }
+    }
+
+    /// The colours on this kind of element: red, green and blue, each from 0 to 255.
+    pub fn colors(&self, element: ElementKind) -> Option<&[[u8; 3]]> {
+        match self.get(element, COLOR) {
+            Some(AttributeValues::Color(values)) => Some(values),
+            _ => None,
+        }
+    }
+}
+
+impl<'a> IntoIterator for &'a Attributes {
+    type Item = &'a Attribute;
+    type IntoIter = std::slice::Iter<'a, Attribute>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}

@@ -1,0 +1,209 @@
+//! What a mesh file holds.
+
+use glam::DVec3;
+
+use super::attributes::Attributes;
+use crate::element::Face;
+use crate::mesh::{FaceMesh, MeshError};
+
+/// The contents of a mesh file, as they stand there: nothing is renumbered, merged, dropped or repaired.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeshFile {
+    /// Position of each vertex, also of those that no polygon names. All are finite.
+    pub positions: Vec<DVec3>,
+    /// The polygons. Every corner is below the number of positions; a polygon may be degenerate.
+    pub polygons: Polygons,
+    /// Named values on vertices and faces.
+    pub attributes: Attributes,
+}
+
+impl MeshFile {
+    /// The mesh of all polygons.
+    ///
+    /// # Errors
+    /// Those of [`FaceMesh::from_polygons`]: a file may hold degenerate faces, a mesh may not.
+    pub fn face_mesh(&self) -> Result<FaceMesh, MeshError> {
+        match self.polygons.as_triangles() {
+            Some(triangles) => FaceMesh::from_triangles(self.positions.len(), triangles),
+            None => FaceMesh::from_polygons(self.positions.len(), &self.polygons),
+        }
+    }
+}
+
+/// A list of polygons, each given by the numbers (from 0) of its vertices in cyclic order.
+///
+/// ```
+/// use iheartmesh_runtime::io::Polygons;
+///
+/// let polygons: Polygons = [vec![0, 1, 2, 3], vec![2, 1, 4]].into_iter().collect();
+/// assert_eq!(polygons.len(), 2);
+/// assert_eq!(polygons.iter().last(), Some(&[2, 1, 4][..]));
+/// assert_eq!(polygons.triangles(), None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Polygons {
+    /// For each polygon, where its corners end.
+    ends: Vec<usize>,
+    corners: Vec<u32>,
+}
+
+impl Polygons {
+    /// No polygons.
+    pub fn new() -> Self {
+        Polygons::default()
+    }
+
+    /// Adds a polygon at the end.
+    pub fn push(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len());
+    }
+
+    /// Number of polygons.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there is no polygon.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// The corners of polygon `index` (from 0), or `None` past the end.
+    pub fn get(&self, index: usize) -> Option<&[u32]> {
+        let end = *self.ends.get(index)?;
+        let start = if index == 0 { 0 } else { self.ends[index - 1] };
+        Some(&self.corners[start..end])
+    }
+
+    /// The polygons in order, each as the slice of its corners.
+    pub fn iter(&self) -> PolygonsIter<'_> {
+        PolygonsIter {
+            polygons: self,
+            range: 0..self.len(),
+        }
+    }
+
+    /// The corners of all polygons, one after the other.
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// All polygons as triangles, or `None` if one of them is not.
+    pub fn triangles(&self) -> Option<Vec<[u32; 3]>> {
+        self.as_triangles().map(<[_]>::to_vec)
+    }
+
+    /// As [`triangles`](Self::triangles), without a copy.
+    pub fn as_triangles(&self) -> Option<&[[u32; 3]]> {
+        let is_triangle = |(index, &end): (usize, &usize)| end == 3 * (index + 1);
+        self.ends
+            .iter()
+            .enumerate()
+            .all(is_triangle)
+            .then(|| self.corners.as_chunks().0)
+    }
+}
+
+/// Iterator over [`Polygons`].
+#[derive(Clone, Debug)]
+pub struct PolygonsIter<'a> {
+    polygons: &'a Polygons,
+    range: std::ops::Range<usize>,
+}
+
+impl<'a> Iterator for PolygonsIter<'a> {
+    type Item = &'a [u32];
+
+    fn next(&mut self) -> Option<&'a [u32]> {
+        self.polygons.get(self.range.next()?)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.range.size_hint()
+    }
+}
+
+impl ExactSizeIterator for PolygonsIter<'_> {}
+
+impl<'a> IntoIterator for &'a Polygons {
+    type Item = &'a [u32];
+    type IntoIter = PolygonsIter<'a>;
+
+    fn into_iter(self) -> PolygonsIter<'a> {
+        self.iter()
+    }
+}
+
+impl<P: AsRef<[u32]>> FromIterator<P> for Polygons {
+    fn from_iter<I: IntoIterator<Item = P>>(polygons: I) -> Self {
+        let mut all = Polygons::new();
+        for polygon in polygons {
+            all.push(polygon.as_ref());
+        }
+        all
+    }
+}
+
+/// What can be written as the faces of a mesh file: a [`FaceMesh`], [`Polygons`] or a slice of triangles.
+pub trait FaceList {
+    /// Number of faces.
+    fn n_faces(&self) -> usize;
+
+    /// Vertices of face `index` in cyclic order.
+    ///
+    /// # Panics
+    /// If `index` is not below [`n_faces`](Self::n_faces).
+    fn corners(&self, index: usize) -> &[u32];
+
+    /// Number of vertices of the mesh, if the faces know it.
+    fn n_vertices(&self) -> Option<usize> {
+        None
+    }
+}
+
+impl FaceList for FaceMesh {
+    fn n_faces(&self) -> usize {
+        FaceMesh::n_faces(self)
+    }
+
+    fn corners(&self, index: usize) -> &[u32] {
+        self.face_vertices(Face::new(index as u32)).ids()
+    }
+
+    fn n_vertices(&self) -> Option<usize> {
+        Some(FaceMesh::n_vertices(self))
+    }
+}
+
+impl FaceList for Polygons {
+    fn n_faces(&self) -> usize {
+        self.len()
+    }
+
+    fn corners(&self, index: usize) -> &[u32] {
+        self.get(index)
+            .unwrap_or_else(|| panic!("there is no polygon {index}: there are {}", self.len()))
+    }
+}
+
+impl FaceList for [[u32; 3]] {
+    fn n_faces(&self) -> usize {
+        self.len()
+    }
+
+    fn corners(&self, index: usize) -> &[u32] {
+        &self[index]
+    }
+}
+
+impl FaceList for Vec<[u32; 3]> {
+    fn n_faces(&self) -> usize {
+        self.len()
+    }
+
+    fn corners(&self, index: usize) -> &[u32] {
+        &self[index]
+    }
+}
