@@ -1,0 +1,266 @@
+//! From the tokens of a call to the items that stand in its place.
+//!
+//! **Invariant:** whatever the tokens are, every item that has a name is defined, or is replaced by an error of ours.
+
+use crate::collection::{Collection, Context, STANDARD};
+use crate::exports;
+use crate::invocation::{Invocation, Item, parse};
+use crate::libraries::{self, Problem};
+use crate::module::{Module, Need, Reader, Route, fingerprint};
+use crate::report;
+use crate::stand_in::{Library, Outcome, Request, compile, imported_modules, render};
+use iheartmesh_compiler::diagnostic::{Diagnostic, Severity};
+use iheartmesh_compiler::source::Source;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::quote;
+use std::collections::BTreeSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// The first step: three paths, then what the user wrote.
+pub fn expand(tokens: TokenStream) -> TokenStream {
+    let mut reader = Reader::new(tokens);
+    let Some(context) = Context::read(&mut reader) else {
+        return broken();
+    };
+    let user: TokenStream = reader.rest().collect();
+    let call = parse(user.clone());
+    let of_call = modules(&call);
+    let errors: TokenStream = call.errors.iter().map(report::call_error).collect();
+    let failed = report::failed(&call.unread, &errors, true);
+    let sources = call.items.iter().zip(&of_call);
+    let sources = sources.map(|(item, module)| exports::source_macro(item, module, &of_call));
+    let sources: TokenStream = sources.collect();
+    let collection = Collection::new(&call, &of_call, &context);
+    let rest = step(&context, &collection, &call, &of_call, &user);
+    quote!(#failed #sources #rest)
+}
+
+/// A further step: the answer to a question, then what was asked to come back with it.
+pub fn resume(tokens: TokenStream) -> TokenStream {
+    resumed(tokens).unwrap_or_else(broken)
+}
+
+fn resumed(tokens: TokenStream) -> Option<TokenStream> {
+    let mut reader = Reader::new(tokens);
+    let answer = reader.token()?;
+    let context = Context::read(&mut reader)?;
+    let mut collection = Collection::read(&mut reader)?;
+    let user: TokenStream = reader.rest().collect();
+    let call = parse(user.clone());
+    let of_call = modules(&call);
+    collection.accept(answer, &of_call, &exports::crate_identity(), &context)?;
+    Some(step(&context, &collection, &call, &of_call, &user))
+}
+
+/// Asks for the next module, or compiles with all of them in hand.
+fn step(
+    context: &Context,
+    collection: &Collection,
+    call: &Invocation,
+    of_call: &[Module],
+    user: &TokenStream,
+) -> TokenStream {
+    match collection.next_path() {
+        Some(path) => {
+            let state = collection.write(context);
+            exports::question(path, context, &quote!(#state #user))
+        }
+        None => finish(context, collection, call, of_call),
+    }
+}
+
+fn broken() -> TokenStream {
+    let message = "call this macro as `iheartmesh!`, of the crate `iheartmesh`";
+    report::error(Span::call_site(), message)
+}
+
+/// The items of a call as modules, with what they need.
+fn modules(call: &Invocation) -> Vec<Module> {
+    let own_crate = exports::crate_identity();
+    let plain = |item: &Item| {
+        item.header
+            .name
+            .to_string()
+            .trim_start_matches("r#")
+            .to_string()
+    };
+    let id = |item: &Item| {
+        let Source {
+            file,
+            text,
+            first_line,
+            indents,
+            ..
+        } = &item.body.source;
+        let place = format!("{first_line} {indents:?}");
+        fingerprint(&[&own_crate, &plain(item), file, &place, text])
+    };
+    let route = |name: &str| {
+        if let Some(item) = call.items.iter().find(|item| plain(item) == name) {
+            Route::Known(id(item))
+        } else if let Some(used) = call.uses.iter().find(|used| used.name == name) {
+            let path: TokenStream = used.path.iter().cloned().collect();
+            match used.path.as_slice() {
+                [TokenTree::Ident(first), _, ..] if first != "self" && first != "super" => {
+                    Route::Path(path)
+                }
+                [TokenTree::Punct(_), ..] => Route::Path(path),
+                _ => Route::Closed(path.to_string().replace(' ', "")),
+            }
+        } else if STANDARD.contains(&name) {
+            Route::Standard
+        } else {
+            Route::Unknown
+        }
+    };
+    let module = |item: &Item| Module {
+        id: id(item),
+        name: plain(item),
+        source: item.body.source.clone(),
+        needs: imported_modules(&item.body.source)
+            .into_iter()
+            .map(|name| Need {
+                route: route(&name),
+                name,
+            })
+            .collect(),
+    };
+    call.items.iter().map(module).collect()
+}
+
+/// Compiles all items; everything they import is in hand, or is nowhere.
+fn finish(
+    context: &Context,
+    collection: &Collection,
+    call: &Invocation,
+    of_call: &[Module],
+) -> TokenStream {
+    let mut circles: Vec<BTreeSet<String>> = Vec::new();
+    let mut output = TokenStream::new();
+    let mut results = Vec::new();
+    for (item, module) in call.items.iter().zip(of_call) {
+        results.push(match libraries::of(module, call, of_call, collection) {
+            Ok(found) => {
+                let library = |found: &libraries::Found| Library {
+                    name: found.name.to_string(),
+                    source: found.module.source.clone(),
+                };
+                let list = found.iter().map(library).collect();
+                let bundle = exports::bundle(item, module, of_call, collection);
+                output.extend(bundle);
+                compiled(context, item, list)
+            }
+            Err(problems) => unresolved(problems, &mut circles, module),
+        });
+    }
+    let failed: Vec<&Source> = results
+        .iter()
+        .zip(of_call)
+        .filter(|(outcome, _)| outcome.code.is_none())
+        .map(|(_, module)| &module.source)
+        .collect();
+    for ((item, module), outcome) in call.items.iter().zip(of_call).zip(&results) {
+        output.extend(written(item, module, outcome, &failed));
+    }
+    output.extend(call.uses.iter().filter_map(|used| {
+        let name = used.name.to_string();
+        let needed = of_call
+            .iter()
+            .flat_map(|m| &m.needs)
+            .any(|need| need.name == name);
+        let message = format!("no source of this call imports `{name}`");
+        (!needed).then(|| report::remark(used.name.span(), Severity::Warning, &message))
+    }));
+    output
+}
+
+/// Whether two sources are one and the same.
+fn same(left: &Source, right: &Source) -> bool {
+    (&left.file, left.first_line, &left.text) == (&right.file, right.first_line, &right.text)
+}
+
+/// Problems with imports as an outcome of the compiler.
+fn unresolved(
+    problems: Vec<Problem>,
+    circles: &mut Vec<BTreeSet<String>>,
+    module: &Module,
+) -> Outcome {
+    let mut outcome = Outcome::default();
+    outcome.sources.add(module.source.clone());
+    for Problem { diagnostic, circle } in problems {
+        if let Some(circle) = circle {
+            if circles.contains(&circle) {
+                continue;
+            }
+            circles.push(circle);
+        }
+        outcome.diagnostics.push(diagnostic);
+    }
+    outcome
+}
+
+/// Runs the compiler; a defect in it becomes an error like any other.
+fn compiled(context: &Context, item: &Item, libraries: Vec<Library>) -> Outcome {
+    let header = &item.header;
+    let run = || {
+        compile(Request {
+            name: header.name.clone(),
+            visibility: header.visibility.clone(),
+            attributes: header.attributes.clone(),
+            krate: context.krate.clone(),
+            source: item.body.source.clone(),
+            libraries,
+        })
+    };
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+        let mut outcome = Outcome::default();
+        let source = outcome.sources.add(item.body.source.clone());
+        let place = iheartmesh_compiler::span::Span::new(source, 0, 0);
+        let text = text.unwrap_or("the compiler gave up without a message");
+        let text = text.trim_start_matches("bug in iheartmesh: ");
+        let message = format!("bug in iheartmesh: {text}");
+        outcome.diagnostics.push(
+            Diagnostic::error(place, message).help("please report it together with this source"),
+        );
+        outcome
+    })
+}
+
+/// The tokens of one item: its code, or what stands in for it, and everything there is to say about it.
+fn written(item: &Item, module: &Module, outcome: &Outcome, failed: &[&Source]) -> TokenStream {
+    let place = |found: &Diagnostic| outcome.sources.get(found.span().source);
+    let message = |found: &Diagnostic| {
+        let own = same(place(found), &module.source);
+        let rendered = render(&outcome.sources, found);
+        report::diagnostic(&item.body, own, found, &rendered)
+    };
+    let file = item.body.included.as_ref().map(|written| {
+        quote! {
+            const _: &[u8] = ::core::include_bytes!(
+                ::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #written)
+            );
+        }
+    });
+    let (errors, remarks): (Vec<_>, Vec<_>) = outcome
+        .diagnostics
+        .sorted()
+        .into_iter()
+        .partition(|found| found.severity == Severity::Error);
+    let remarks: TokenStream = remarks.into_iter().map(message).collect();
+    if let Some(code) = &outcome.code {
+        return quote!(#file #remarks #code);
+    }
+    // an error inside of another module of this call is reported there
+    let reported = |found: &&Diagnostic| {
+        let source = place(found);
+        !same(source, &module.source) && failed.iter().any(|other| same(source, other))
+    };
+    let errors = errors.into_iter().filter(|found| !reported(found));
+    let errors: TokenStream = errors.map(message).collect();
+    let borrows = report::borrows(&outcome.skeleton, &item.header);
+    let header = std::slice::from_ref(&item.header);
+    let stand_in = report::failed(header, &errors, borrows);
+    quote!(#file #remarks #stand_in)
+}
