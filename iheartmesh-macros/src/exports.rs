@@ -12,8 +12,8 @@
 use crate::collection::{Collection, Context};
 use crate::invocation::{Header, Item};
 use crate::module::{Module, Need, Route};
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote, quote_spanned};
 
 /// Tells apart the crates of a program, as far as a macro can know it.
 pub fn crate_identity() -> String {
@@ -46,7 +46,8 @@ pub fn source_macro(item: &Item, module: &Module, of_call: &[Module]) -> TokenSt
         .collect();
     let bundle = has_bundle(&item.header, &modules).then(|| {
         let bundle = bundle_name(module);
-        quote!($crate::#bundle)
+        let own_crate = dollar_crate(item.header.name.span());
+        quote!(#own_crate::#bundle)
     });
     let Header {
         visibility, name, ..
@@ -136,15 +137,23 @@ fn beside<'a>(module: &'a Module, of_call: &'a [Module]) -> Vec<&'a Module> {
     found
 }
 
+/// `$crate` for the macros of this crate.
+///
+/// It has to look like a token of the user: rustc resolves a `$crate` that comes from here, inside of the facade's
+/// macro, to the facade.
+fn dollar_crate(user: Span) -> TokenStream {
+    quote_spanned!(user=> $crate)
+}
+
 /// The module with paths that hold in the macros of this crate wherever they are called.
 fn with_dollar_crate(module: &Module) -> Module {
     let mut module = module.clone();
     for need in &mut module.needs {
         if let Route::Path(path) = &mut need.route {
             let mut tokens = path.clone().into_iter().peekable();
-            let own = tokens.next_if(|t| t.to_string() == "crate").is_some();
-            let rest: TokenStream = tokens.collect();
-            *path = if own { quote!($crate #rest) } else { rest };
+            let own = tokens.next_if(|t| t.to_string() == "crate");
+            let own = own.map(|token| dollar_crate(token.span()));
+            *path = own.into_iter().flatten().chain(tokens).collect();
         }
     }
     module

@@ -1,1 +1,18 @@
-//! Neighborhoods.
+//! The standard neighbourhoods, written in the language itself.
+//!
+//! Every module here is an ordinary one: its source stands in a `.hlang` file next to this one, a formula imports from
+//! it with `Faces from Neighborhoods(M)`, and Rust code may use the struct directly. A crate of your own publishes
+//! neighbourhoods in the same way; the standard ones differ only in that no `use` is needed for them.
+//!
+//! | module | for |
+//! | --- | --- |
+//! | `Neighborhoods` | face meshes: what touches what, one-rings, the order of vertices around a face |
+
+// The macro gives every call three paths: what the generated code runs on, where the macros are, and where the
+// standard modules are. The facade cannot be named here, since it depends on this crate.
+iheartmesh_macros::expand! {
+    [::iheartmesh_runtime] [::iheartmesh_macros] [crate]
+
+    /// Which elements of a face mesh touch which, and in which order.
+    pub struct Neighborhoods = include "src/neighborhoods.hlang";
+}
