@@ -119,10 +119,10 @@ pub fn write(
     })
 }
 
-/// The contents that [`write`] gives the file `path`, in memory.
+/// The contents that [`write()`] gives the file `path`, in memory.
 ///
 /// # Errors
-/// As [`write`], without [`IoError::File`].
+/// As [`write()`], without [`IoError::File`].
 pub fn to_bytes(
     path: impl AsRef<Path>,
     positions: &[DVec3],

@@ -13,7 +13,7 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use super::attributes::{AttributeValues, Attributes};
-use super::error::{CannotWrite, Malformed, Place};
+use super::error::{CannotWrite, Malformed, Place, counted};
 use super::mesh_file::{FaceList, MeshFile};
 use super::text::{Line, shorten};
 use crate::element::ElementKind;
@@ -154,8 +154,9 @@ fn check_largest(largest: Option<(u32, Place)>, n_vertices: usize) -> Result<(),
         Some((vertex, place)) if vertex as usize >= n_vertices => Err(Malformed {
             place,
             problem: format!(
-                "the face names vertex {} of {n_vertices}",
-                u64::from(vertex) + 1
+                "the face names vertex {}, but the file has {}",
+                u64::from(vertex) + 1,
+                counted(n_vertices, ElementKind::Vertex)
             ),
             help: "indices count from 1; the file may be truncated",
         }),

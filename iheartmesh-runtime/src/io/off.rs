@@ -10,7 +10,7 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use super::attributes::{AttributeValues, Attributes, NORMAL};
-use super::error::{CannotWrite, Malformed, Place};
+use super::error::{CannotWrite, Malformed, Place, counted};
 use super::mesh_file::{FaceList, MeshFile};
 use super::text::{Line, shorten};
 use crate::element::ElementKind;
@@ -130,8 +130,10 @@ pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
             match u32::try_from(index) {
                 Ok(vertex) if (vertex as usize) < n_vertices => corners.push(vertex),
                 _ => {
-                    let problem =
-                        format!("the face names vertex {index}, but there are {n_vertices}");
+                    let problem = format!(
+                        "the face names vertex {index}, but the file has {}",
+                        counted(n_vertices, ElementKind::Vertex)
+                    );
                     return Err(line.error(problem, "vertices are numbered from 0"));
                 }
             }

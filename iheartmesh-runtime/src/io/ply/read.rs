@@ -127,7 +127,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
     match largest {
         Some((vertex, place)) if vertex as usize >= file.positions.len() => {
             let problem = format!(
-                "the face names vertex {vertex}, but there are {}",
+                "the face names vertex {vertex}, but the file has {}",
                 counted(file.positions.len(), ElementKind::Vertex)
             );
             Err(Malformed {
