@@ -4,10 +4,10 @@
 
 use crate::collection::{Collection, Context, STANDARD};
 use crate::exports;
-use crate::invocation::{Invocation, Item, parse};
+use crate::invocation::{Invocation, Item, Use, parse};
 use crate::libraries::{self, Problem};
 use crate::module::{Module, Need, Reader, Route, fingerprint};
-use crate::report;
+use crate::report::{self, StandIn};
 use crate::stand_in::{Library, Outcome, Request, compile, imported_modules, render};
 use iheartmesh_compiler::diagnostic::{Diagnostic, Severity};
 use iheartmesh_compiler::source::Source;
@@ -26,7 +26,11 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let call = parse(user.clone());
     let of_call = modules(&call);
     let errors: TokenStream = call.errors.iter().map(report::call_error).collect();
-    let failed = report::failed(&call.unread, &errors, true);
+    let unread = call.unread.iter().map(|header| StandIn {
+        header,
+        borrows: true,
+    });
+    let failed = report::failed(&unread.collect::<Vec<_>>(), &errors);
     let sources = call.items.iter().zip(&of_call);
     let sources = sources.map(|(item, module)| exports::source_macro(item, module, &of_call));
     let sources: TokenStream = sources.collect();
@@ -159,19 +163,44 @@ fn finish(
         .filter(|(outcome, _)| outcome.code.is_none())
         .map(|(_, module)| &module.source)
         .collect();
+    let mut stand_ins = Vec::new();
+    let mut errors = TokenStream::new();
     for ((item, module), outcome) in call.items.iter().zip(of_call).zip(&results) {
-        output.extend(written(item, module, outcome, &failed));
+        let messages = Messages {
+            item,
+            module,
+            outcome,
+        };
+        output.extend(tracked(item));
+        output.extend(messages.remarks());
+        match &outcome.code {
+            Some(code) => output.extend(code.clone()),
+            None => {
+                errors.extend(messages.errors(&failed));
+                stand_ins.push(StandIn {
+                    header: &item.header,
+                    borrows: report::borrows(&outcome.skeleton, &item.header),
+                });
+            }
+        }
     }
-    output.extend(call.uses.iter().filter_map(|used| {
-        let name = used.name.to_string();
-        let needed = of_call
-            .iter()
-            .flat_map(|m| &m.needs)
-            .any(|need| need.name == name);
-        let message = format!("no source of this call imports `{name}`");
-        (!needed).then(|| report::remark(used.name.span(), Severity::Warning, &message))
-    }));
+    output.extend(report::failed(&stand_ins, &errors));
+    if call.errors.is_empty() {
+        output.extend(unused(call, of_call));
+    }
     output
+}
+
+/// A warning for each `use` that no source of the call needs.
+fn unused(call: &Invocation, of_call: &[Module]) -> TokenStream {
+    let warning = |used: &Use| {
+        let name = used.name.to_string();
+        let mut needs = of_call.iter().flat_map(|m| &m.needs);
+        let message = format!("no source of this call imports `{name}`");
+        (!needs.any(|need| need.name == name))
+            .then(|| report::remark(used.name.span(), Severity::Warning, &message))
+    };
+    call.uses.iter().filter_map(warning).collect()
 }
 
 /// Whether two sources are one and the same.
@@ -228,39 +257,51 @@ fn compiled(context: &Context, item: &Item, libraries: Vec<Library>) -> Outcome 
     })
 }
 
-/// The tokens of one item: its code, or what stands in for it, and everything there is to say about it.
-fn written(item: &Item, module: &Module, outcome: &Outcome, failed: &[&Source]) -> TokenStream {
-    let place = |found: &Diagnostic| outcome.sources.get(found.span().source);
-    let message = |found: &Diagnostic| {
-        let own = same(place(found), &module.source);
-        let rendered = render(&outcome.sources, found);
-        report::diagnostic(&item.body, own, found, &rendered)
-    };
-    let file = item.body.included.as_ref().map(|written| {
-        quote! {
-            const _: &[u8] = ::core::include_bytes!(
-                ::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #written)
-            );
-        }
-    });
-    let (errors, remarks): (Vec<_>, Vec<_>) = outcome
-        .diagnostics
-        .sorted()
-        .into_iter()
-        .partition(|found| found.severity == Severity::Error);
-    let remarks: TokenStream = remarks.into_iter().map(message).collect();
-    if let Some(code) = &outcome.code {
-        return quote!(#file #remarks #code);
+/// Makes rustc look at the file of an `include` again when it changes.
+fn tracked(item: &Item) -> Option<TokenStream> {
+    let written = item.body.included.as_ref()?;
+    Some(quote! {
+        const _: &[u8] = ::core::include_bytes!(
+            ::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #written)
+        );
+    })
+}
+
+/// Everything there is to say about one item.
+struct Messages<'a> {
+    item: &'a Item,
+    module: &'a Module,
+    outcome: &'a Outcome,
+}
+
+impl Messages<'_> {
+    fn place(&self, found: &Diagnostic) -> &Source {
+        self.outcome.sources.get(found.span().source)
     }
-    // an error inside of another module of this call is reported there
-    let reported = |found: &&Diagnostic| {
-        let source = place(found);
-        !same(source, &module.source) && failed.iter().any(|other| same(source, other))
-    };
-    let errors = errors.into_iter().filter(|found| !reported(found));
-    let errors: TokenStream = errors.map(message).collect();
-    let borrows = report::borrows(&outcome.skeleton, &item.header);
-    let header = std::slice::from_ref(&item.header);
-    let stand_in = report::failed(header, &errors, borrows);
-    quote!(#file #remarks #stand_in)
+
+    fn message(&self, found: &Diagnostic) -> TokenStream {
+        let own = same(self.place(found), &self.module.source);
+        let rendered = render(&self.outcome.sources, found);
+        report::diagnostic(&self.item.body, own, found, &rendered)
+    }
+
+    /// Warnings and notes.
+    fn remarks(&self) -> TokenStream {
+        let list = self.outcome.diagnostics.sorted().into_iter();
+        list.filter(|found| found.severity != Severity::Error)
+            .map(|found| self.message(found))
+            .collect()
+    }
+
+    /// Errors, without those inside of another module of this call that has failed and reports them itself.
+    fn errors(&self, failed: &[&Source]) -> TokenStream {
+        let reported = |found: &&Diagnostic| {
+            let source = self.place(found);
+            !same(source, &self.module.source) && failed.iter().any(|other| same(source, other))
+        };
+        let list = self.outcome.diagnostics.sorted().into_iter();
+        list.filter(|found| found.severity == Severity::Error && !reported(found))
+            .map(|found| self.message(found))
+            .collect()
+    }
 }

@@ -193,7 +193,8 @@ impl Reader {
             if self.at > start {
                 let message = "a `use` in this call takes neither attributes nor a visibility";
                 let help = "it only says where the sources of this call find a module";
-                return Err(Error::new(first, message).help(help));
+                let error = Error::new(first, message).help(help);
+                self.found.errors.push(error);
             }
             self.at += 1;
             return self.use_line();

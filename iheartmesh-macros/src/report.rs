@@ -52,6 +52,14 @@ pub fn diagnostic(body: &Body, own: bool, found: &Diagnostic, rendered: &str) ->
     }
 }
 
+/// An item that has errors.
+pub struct StandIn<'a> {
+    /// Its name and visibility.
+    pub header: &'a Header,
+    /// Whether users write `Name<'_>`.
+    pub borrows: bool,
+}
+
 /// Stands in for items that have errors, together with the errors.
 ///
 /// rustc is silent about a name that it cannot find in a module which holds a `compile_error!`, and about
@@ -59,19 +67,22 @@ pub fn diagnostic(body: &Body, own: bool, found: &Diagnostic, rendered: &str) ->
 /// module: `use m::Name`, `Name::new(…)?`, fields of that type and calls of its methods all pass, and what is left
 /// is exactly our own errors. A struct without methods would not do: calling `new` on it is one more error. A
 /// re-export would not do either, since a macro of the same name stands beside the item (see `exports`).
-pub fn failed(headers: &[Header], errors: &TokenStream, borrows: bool) -> TokenStream {
-    let Some(first) = headers.first() else {
+///
+/// All items of a call share one such module, since an item may have no error of its own: what is wrong with it was
+/// said about another one.
+pub fn failed(stand_ins: &[StandIn], errors: &TokenStream) -> TokenStream {
+    let Some(first) = stand_ins.first() else {
         return errors.clone();
     };
-    let module = format_ident!("__ihm_errors_of_{}", first.name);
-    let generics = borrows.then(|| quote!(<'a>));
-    let aliases = headers.iter().map(|header| {
+    let module = format_ident!("__ihm_errors_of_{}", first.header.name);
+    let aliases = stand_ins.iter().map(|stand_in| {
         let Header {
             visibility, name, ..
-        } = header;
+        } = stand_in.header;
+        let generics = stand_in.borrows.then(|| quote!(<'a>));
         quote! {
             #[doc(hidden)]
-            #[allow(dead_code, missing_docs, unreachable_pub, private_interfaces)]
+            #[allow(dead_code, missing_docs, non_camel_case_types, private_interfaces, unreachable_pub)]
             #visibility type #name #generics = #module::#name #generics;
         }
     });

@@ -1,0 +1,3 @@
+iheartmesh::iheartmesh! {}
+
+fn main() {}
