@@ -3,6 +3,8 @@
 //! Only the storage of `sprs` is used here, none of its products: a column is a slice of row numbers and a slice of
 //! signs.
 
+use std::ops::Range;
+
 use sprs::CsMatI;
 
 use crate::element::ElementKind;
@@ -40,9 +42,20 @@ impl Columns {
 /// Column `j` of a matrix in compressed columns: row numbers (ascending) and entries.
 #[inline]
 pub(crate) fn column(matrix: &BoundaryMatrix, j: usize) -> (&[u32], &[i8]) {
+    let range = column_range(matrix, j);
+    (&matrix.indices()[range.clone()], &matrix.data()[range])
+}
+
+/// The row numbers of column `j`, ascending. Saves the bounds checks of the entries.
+#[inline]
+pub(crate) fn column_rows(matrix: &BoundaryMatrix, j: usize) -> &[u32] {
+    &matrix.indices()[column_range(matrix, j)]
+}
+
+#[inline]
+pub(crate) fn column_range(matrix: &BoundaryMatrix, j: usize) -> Range<usize> {
     let pointers = matrix.indptr().into_raw_storage();
-    let (start, end) = (pointers[j] as usize, pointers[j + 1] as usize);
-    (&matrix.indices()[start..end], &matrix.data()[start..end])
+    pointers[j] as usize..pointers[j + 1] as usize
 }
 
 /// The transpose, again in compressed columns. One counting sort: O(rows + columns + entries).

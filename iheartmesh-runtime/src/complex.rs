@@ -1,5 +1,6 @@
 //! The combinatorial core of every mesh: elements of dimension 0 to 3 and the boundary matrices between them.
 
+use std::fmt::{self, Debug};
 use std::sync::OnceLock;
 
 use crate::boundary::{self, BoundaryMatrix};
@@ -20,14 +21,16 @@ use crate::mesh::MeshError;
 /// # Panics
 /// Methods with a parameter `k` panic unless 1 ≤ k ≤ `dimension()`, those with an element number panic if there is no
 /// such element, as indexing a slice does.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct CellComplex {
     n_elements: [usize; 4],
+    /// Whether every edge runs from its smaller to its larger vertex.
+    has_tails_first: bool,
     incidences: Vec<Incidence>,
 }
 
 /// ∂ᵏ for one k, in its four forms.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Incidence {
     boundary: BoundaryMatrix,
     transpose: BoundaryMatrix,
@@ -38,8 +41,13 @@ struct Incidence {
 impl CellComplex {
     /// The complex with the given numbers of elements and pairs of ∂ᵏ and its transpose for k = 1, 2, …
     ///
-    /// The caller guarantees all that [`from_boundary_matrices`](Self::from_boundary_matrices) checks.
-    pub(crate) fn new(n_vertices: usize, matrices: Vec<(BoundaryMatrix, BoundaryMatrix)>) -> Self {
+    /// The caller guarantees all that [`from_boundary_matrices`](Self::from_boundary_matrices) checks, and says whether
+    /// every edge runs from its smaller to its larger vertex.
+    pub(crate) fn new(
+        n_vertices: usize,
+        has_tails_first: bool,
+        matrices: Vec<(BoundaryMatrix, BoundaryMatrix)>,
+    ) -> Self {
         let mut n_elements = [n_vertices, 0, 0, 0];
         for (k, (boundary, _)) in matrices.iter().enumerate() {
             n_elements[k + 1] = boundary.cols();
@@ -52,6 +60,7 @@ impl CellComplex {
         };
         CellComplex {
             n_elements,
+            has_tails_first,
             incidences: matrices.into_iter().map(incidence).collect(),
         }
     }
@@ -67,7 +76,7 @@ impl CellComplex {
     /// - [`MeshError::InvalidEntry`] if a stored entry is neither −1 nor +1;
     /// - [`MeshError::InvalidEdge`] if a column of ∂¹ is not one −1 and one +1;
     /// - [`MeshError::NotAComplex`] if ∂ᵏ⁻¹∂ᵏ ≠ 0, with the first element whose boundary has a boundary.
-    pub fn from_boundary_matrices(matrices: &[BoundaryMatrix]) -> Result<Self, MeshError> {
+    pub fn from_boundary_matrices(matrices: &[&BoundaryMatrix]) -> Result<Self, MeshError> {
         if !(1..=3).contains(&matrices.len()) {
             return Err(MeshError::NumberOfMatrices {
                 found: matrices.len(),
@@ -88,8 +97,15 @@ impl CellComplex {
             let transpose = boundary::transpose(&matrix);
             checked.push((matrix, transpose));
         }
-        let complex = CellComplex::new(matrices[0].rows(), checked);
+        let mut complex = CellComplex::new(matrices[0].rows(), false, checked);
         complex.check_edges()?;
+        complex.has_tails_first = complex
+            .boundary(1)
+            .data()
+            .as_chunks::<2>()
+            .0
+            .iter()
+            .all(|signs| *signs == [-1, 1]);
         for k in 2..=complex.dimension() {
             complex.check_boundary_of_boundary(k)?;
         }
@@ -169,11 +185,38 @@ impl CellComplex {
         boundary::column(&self.incidence(k).boundary, j)
     }
 
+    /// The sides of element `j` of dimension `k`, ascending: [`boundary_column`](Self::boundary_column) without signs,
+    /// which is faster.
+    #[inline]
+    pub fn boundary_elements(&self, k: usize, j: usize) -> &[u32] {
+        boundary::column_rows(&self.incidence(k).boundary, j)
+    }
+
     /// Row `i` of ∂ᵏ, a column of its transpose: the elements of dimension `k` of which element `i` of dimension
     /// `k` − 1 is a side, ascending, and its sign in each.
     #[inline]
     pub fn coboundary_column(&self, k: usize, i: usize) -> (&[u32], &[i8]) {
         boundary::column(&self.incidence(k).transpose, i)
+    }
+
+    /// The elements of dimension `k` of which element `i` of dimension `k` − 1 is a side, ascending:
+    /// [`coboundary_column`](Self::coboundary_column) without signs, which is faster.
+    #[inline]
+    pub fn coboundary_elements(&self, k: usize, i: usize) -> &[u32] {
+        boundary::column_rows(&self.incidence(k).transpose, i)
+    }
+
+    /// Tail and head of an edge: the rows of −1 and +1 in its column of ∂¹.
+    #[inline]
+    pub fn edge_vertices(&self, edge: usize) -> [u32; 2] {
+        // Each column of ∂¹ has two entries: no column pointers are needed.
+        let d1 = &self.incidence(1).boundary;
+        let [first, second] = d1.indices().as_chunks::<2>().0[edge];
+        if self.has_tails_first || d1.data()[2 * edge] < 0 {
+            [first, second]
+        } else {
+            [second, first]
+        }
     }
 
     /// Entry of ∂ᵏ: −1, +1, or 0 where `row` is no side of `column`.
@@ -221,6 +264,17 @@ impl CellComplex {
         incidence
             .unsigned_transpose
             .get_or_init(|| boundary::unsigned(&incidence.transpose))
+    }
+}
+
+impl Debug for CellComplex {
+    /// The numbers of elements; the matrices would fill pages.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let n_elements = &self.n_elements[..=self.dimension()];
+        formatter
+            .debug_struct("CellComplex")
+            .field("n_elements", &n_elements)
+            .finish_non_exhaustive()
     }
 }
 

@@ -26,7 +26,11 @@ fn the_given_numbering_is_kept() {
     let d2 = matrix([[1], [1], [-1]]);
     for (d1, d2) in [(d1(), d2.clone()), (d1().to_csr(), d2.to_csr())] {
         let mesh = FaceMesh::from_boundary_matrices(&d1, &d2).unwrap();
-        assert_eq!(mesh.edge_vertices(Edge::new(0)), [2, 0].map(Vertex::new));
+        let edges = mesh
+            .edges()
+            .map(|edge| mesh.edge_vertices(edge).map(Vertex::id));
+        assert_eq!(edges.collect::<Vec<_>>(), [[2, 0], [0, 1], [2, 1]]);
+        assert_eq!(mesh.complex().coboundary_elements(1, 2), [0, 2]);
         assert_eq!(mesh.face_vertices(Face::new(0)), [0, 1, 2].map(Vertex::new));
         assert_eq!(mesh.face_boundary(Face::new(0)).1, [1, 1, -1]);
         assert_eq!(mesh.vertex_edges(Vertex::new(1)), [1, 2].map(Edge::new));
@@ -135,7 +139,7 @@ fn a_face_is_one_closed_walk() {
             FaceMesh::from_boundary_matrices(mesh.boundary(1), &d2).unwrap_err(),
             MeshError::NotAPolygon { face: 0 }
         );
-        assert!(CellComplex::from_boundary_matrices(&[mesh.boundary(1).clone(), d2]).is_ok());
+        assert!(CellComplex::from_boundary_matrices(&[mesh.boundary(1), &d2]).is_ok());
     }
 }
 
@@ -145,7 +149,7 @@ fn a_complex_may_have_any_dimension_up_to_three() {
     let faces = FaceMesh::from_triangles(4, &[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).unwrap();
     let (d1, d2) = (faces.boundary(1).clone(), faces.boundary(2).clone());
     let d3 = matrix([[-1], [1], [-1], [1]]);
-    let complex = CellComplex::from_boundary_matrices(&[d1.clone(), d2.clone(), d3]).unwrap();
+    let complex = CellComplex::from_boundary_matrices(&[&d1, &d2, &d3]).unwrap();
     assert_eq!(
         (
             complex.dimension(),
@@ -160,12 +164,11 @@ fn a_complex_may_have_any_dimension_up_to_three() {
     );
     assert_eq!(complex.coboundary_column(3, 2), (&[0][..], &[-1][..]));
 
-    let error =
-        CellComplex::from_boundary_matrices(&[d1.clone(), d2, matrix([[1], [1], [-1], [1]])])
-            .unwrap_err();
+    let error = CellComplex::from_boundary_matrices(&[&d1, &d2, &matrix([[1], [1], [-1], [1]])])
+        .unwrap_err();
     assert!(matches!(error, MeshError::NotAComplex { element: 0, .. }));
     assert_eq!(
-        CellComplex::from_boundary_matrices(&[d1])
+        CellComplex::from_boundary_matrices(&[&d1])
             .unwrap()
             .dimension(),
         1

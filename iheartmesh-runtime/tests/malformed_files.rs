@@ -330,7 +330,7 @@ fn binary_ply() {
         io::from_bytes("bad.ply", &bytes)
             .unwrap_err()
             .to_string()
-            .contains("cannot be negative")
+            .contains("a list of element 0 of `face` has no valid length")
     );
 }
 

@@ -73,6 +73,15 @@ fn two_triangles_make_a_square() {
     assert_eq!(face_edges, [2, 3, 4].map(Edge::new));
     assert_eq!(signs, [1, -1, 1]);
     assert_eq!(mesh.face_edges(Face::new(0)).ids(), [0, 1, 3]);
+    assert_eq!(mesh.triangles(), Some(&[[0, 1, 3], [2, 3, 1]][..]));
+    assert_eq!(
+        format!("{mesh:?}"),
+        "FaceMesh { n_vertices: 4, n_edges: 5, n_faces: 2, .. }"
+    );
+    assert_eq!(
+        format!("{:?}", mesh.complex()),
+        "CellComplex { n_elements: [4, 5, 2], .. }"
+    );
 
     assert_eq!(mesh.boundary_edges(), edges([0, 1, 2, 4]));
     assert_eq!(mesh.boundary_vertices(), vertices([0, 1, 2, 3]));
@@ -139,7 +148,7 @@ fn quad_and_triangle() {
     assert_eq!(mesh.face_boundary(Face::new(0)).0.ids(), [0, 1, 3, 5]);
     assert_eq!(mesh.face_boundary(Face::new(0)).1, [1, -1, 1, 1]);
     assert_eq!(mesh.face_boundary(Face::new(1)).1, [1, -1, 1]);
-    assert!(!mesh.is_triangle_mesh());
+    assert!(!mesh.is_triangle_mesh() && mesh.triangles().is_none());
     assert_eq!(mesh.non_manifold_edges(), edges([]));
 }
 

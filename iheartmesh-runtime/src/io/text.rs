@@ -98,11 +98,16 @@ impl<'a> Line<'a> {
     }
 }
 
-/// A token as it can stand in a message.
+/// A token as it can stand in a message: short, and without control characters.
 pub(super) fn shorten(token: &str) -> String {
-    if token.chars().count() > 24 {
-        token.chars().take(24).chain(['…']).collect()
-    } else {
-        token.to_owned()
+    let mut shown: String = token
+        .chars()
+        .filter(|character| !character.is_control())
+        .take(25)
+        .collect();
+    if shown.chars().count() > 24 {
+        shown.pop();
+        shown.push('…');
     }
+    shown
 }

@@ -1,12 +1,13 @@
 //! [`FaceMesh`]: a polygon mesh.
 
+use std::fmt::{self, Debug};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::MeshError;
 use super::polygon_edges::{self, MAX_CORNERS, Polygons};
-use crate::boundary::{BoundaryMatrix, MAX_ELEMENTS};
+use crate::boundary::{self, BoundaryMatrix, MAX_ELEMENTS};
 use crate::complex::CellComplex;
 use crate::element::{Edge, ElementKind, ElementSlice, Elements, Face, Vertex};
 
@@ -26,12 +27,11 @@ use crate::element::{Edge, ElementKind, ElementSlice, Elements, Face, Vertex};
 /// faces. [`is_closed`](Self::is_closed), [`non_manifold_edges`](Self::non_manifold_edges) and their kind tell.
 ///
 /// Accessors panic if given an element that the mesh does not have, as indexing a slice does.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct FaceMesh {
     data: Arc<Data>,
 }
 
-#[derive(Debug)]
 struct Data {
     complex: CellComplex,
     /// Corners of all faces in cyclic order; those of face f stand where column f of ∂² stands.
@@ -142,7 +142,7 @@ impl FaceMesh {
         d2: &BoundaryMatrix,
     ) -> Result<FaceMesh, MeshError> {
         check_sizes(0, d2.nnz())?;
-        let complex = CellComplex::from_boundary_matrices(&[d1.clone(), d2.clone()])?;
+        let complex = CellComplex::from_boundary_matrices(&[d1, d2])?;
         let mut corners = Vec::with_capacity(d2.nnz());
         for face in 0..complex.n(2) {
             walk(&complex, face, &mut corners)?;
@@ -237,31 +237,25 @@ impl FaceMesh {
     /// Tail and head of an edge.
     #[inline]
     pub fn edge_vertices(&self, edge: Edge) -> [Vertex; 2] {
-        let (vertices, signs) = self.complex().boundary_column(1, edge.index());
-        let [first, second] = [Vertex::new(vertices[0]), Vertex::new(vertices[1])];
-        if signs[0] < 0 {
-            [first, second]
-        } else {
-            [second, first]
-        }
+        self.complex().edge_vertices(edge.index()).map(Vertex::new)
     }
 
     /// The edges at a vertex, ascending.
     #[inline]
     pub fn vertex_edges(&self, vertex: Vertex) -> ElementSlice<'_, Edge> {
-        ElementSlice::new(self.complex().coboundary_column(1, vertex.index()).0)
+        ElementSlice::new(self.complex().coboundary_elements(1, vertex.index()))
     }
 
     /// The faces at an edge, ascending.
     #[inline]
     pub fn edge_faces(&self, edge: Edge) -> ElementSlice<'_, Face> {
-        ElementSlice::new(self.complex().coboundary_column(2, edge.index()).0)
+        ElementSlice::new(self.complex().coboundary_elements(2, edge.index()))
     }
 
     /// The edges of a face, ascending: not in the order in which the face runs along them.
     #[inline]
     pub fn face_edges(&self, face: Face) -> ElementSlice<'_, Edge> {
-        ElementSlice::new(self.complex().boundary_column(2, face.index()).0)
+        ElementSlice::new(self.complex().boundary_elements(2, face.index()))
     }
 
     /// The edges of a face, ascending, and for each +1 if the face runs along it and −1 if against it.
@@ -274,8 +268,7 @@ impl FaceMesh {
     /// The vertices of a face in its cyclic order, starting where the input did.
     #[inline]
     pub fn face_vertices(&self, face: Face) -> ElementSlice<'_, Vertex> {
-        let starts = self.boundary(2).indptr().into_raw_storage();
-        let range = starts[face.index()] as usize..starts[face.index() + 1] as usize;
+        let range = boundary::column_range(self.boundary(2), face.index());
         ElementSlice::new(&self.data.corners[range])
     }
 
@@ -285,9 +278,31 @@ impl FaceMesh {
         self.data.all_triangles
     }
 
+    /// The vertices of all faces in cyclic order, or `None` unless [every face is a triangle](Self::is_triangle_mesh).
+    ///
+    /// The fastest way through the faces of a triangle mesh: the number of corners is known at compile time.
+    #[inline]
+    pub fn triangles(&self) -> Option<&[[u32; 3]]> {
+        self.data
+            .all_triangles
+            .then(|| self.data.corners.as_chunks().0)
+    }
+
     /// |V| − |E| + |F|. Vertices without faces count.
     pub fn euler_characteristic(&self) -> i64 {
         self.complex().euler_characteristic()
+    }
+}
+
+impl Debug for FaceMesh {
+    /// The numbers of elements; the matrices would fill pages.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("FaceMesh")
+            .field("n_vertices", &self.n_vertices())
+            .field("n_edges", &self.n_edges())
+            .field("n_faces", &self.n_faces())
+            .finish_non_exhaustive()
     }
 }
 

@@ -88,7 +88,7 @@ pub(crate) fn complex(polygons: &Polygons) -> CellComplex {
             )
         },
     );
-    CellComplex::new(n_vertices, vec![edge_matrices, face_matrices])
+    CellComplex::new(n_vertices, true, vec![edge_matrices, face_matrices])
 }
 
 fn join<A: Send, B: Send>(

@@ -322,7 +322,7 @@ impl Payload<'_> {
             std::io::ErrorKind::UnexpectedEof => self.truncated(element, index),
             _ => {
                 let problem = format!(
-                    "element {index} of `{}` cannot be read ({cause})",
+                    "a list of element {index} of `{}` has no valid length",
                     element.name
                 );
                 Malformed {
