@@ -19,53 +19,8 @@ use super::text::{Line, shorten};
 use crate::element::ElementKind;
 
 /// Statements of the format that say nothing about positions and polygons.
-const SKIPPED: [&str; 45] = [
-    "vt",
-    "vn",
-    "vp",
-    "g",
-    "o",
-    "s",
-    "mg",
-    "l",
-    "p",
-    "usemtl",
-    "mtllib",
-    "usemap",
-    "maplib",
-    "lod",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "shadow_obj",
-    "trace_obj",
-    "ctech",
-    "stech",
-    "cstype",
-    "deg",
-    "bmat",
-    "step",
-    "curv",
-    "curv2",
-    "surf",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "call",
-    "csh",
-    "bsp",
-    "bzp",
-    "cdc",
-    "cdp",
-    "res",
-    "vw",
-    "fo",
-    "group",
-];
+const SKIPPED: &str = "vt vn vp g o s mg l p usemtl mtllib usemap maplib lod bevel c_interp d_interp shadow_obj \
+    trace_obj ctech stech cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con call csh bsp bzp cdc cdp res";
 
 pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
     let mut file = MeshFile::default();
@@ -98,7 +53,7 @@ pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
                 }
                 colors.extend(line.color(true)?);
             }
-            Some("f" | "fo") => {
+            Some("f") => {
                 corners.clear();
                 while let Some(token) = line.token() {
                     let vertex = corner(&line, token, file.positions.len())?;
@@ -109,7 +64,7 @@ pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
                 }
                 file.polygons.push(&corners);
             }
-            Some(keyword) if SKIPPED.contains(&keyword) => {}
+            Some(keyword) if SKIPPED.split(' ').any(|other| other == keyword) => {}
             Some(keyword) => {
                 let problem = format!("unknown statement `{}`", shorten(keyword));
                 return Err(line.error(
