@@ -1,0 +1,455 @@
+//! Items: imports, parameters, functions, definitions.
+
+use super::super::ast::*;
+use super::super::lexer::reserved;
+use super::super::names::{ItemNames, import_name};
+use super::super::token::Kind;
+use super::expression::make;
+use super::{Context, Failed, Parsed, Parser};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+
+impl Parser<'_> {
+    pub(super) fn module(&mut self, items: &[ItemNames]) -> Module {
+        let mut module = Module { items: Vec::new() };
+        for item in items {
+            if item.range.start < self.at {
+                continue;
+            }
+            self.at = item.range.start;
+            self.context = Context::PLAIN;
+            self.depth = 0;
+            self.height = 0;
+            let start = self.here();
+            if let Ok(kind) = self.item(item) {
+                let span = self.since(start);
+                module.items.push(Item { kind, span });
+                if !self.at_end() {
+                    self.trailing();
+                }
+            }
+        }
+        module
+    }
+
+    fn at_end(&mut self) -> bool {
+        matches!(self.kind(), Kind::Newline | Kind::End)
+    }
+
+    /// Something follows an item that is complete.
+    fn trailing(&mut self) {
+        let help = match self.kind() {
+            Kind::Where | Kind::With => "`where` follows a function with parameters or directly a sum",
+            Kind::Otherwise | Kind::If => "a piecewise value begins with `{`",
+            Kind::Less | Kind::LessOrEqual | Kind::Greater | Kind::GreaterOrEqual => {
+                "relations stand in conditions only"
+            }
+            _ => "each item stands on a line of its own; use parentheses to go on over a line break",
+        };
+        let _: Parsed<()> = self.expected("the end of the item", help);
+    }
+
+    fn item(&mut self, item: &ItemNames) -> Parsed<ItemKind> {
+        if item.import {
+            return self.import().map(ItemKind::Import);
+        }
+        if self.kind() == Kind::Where {
+            self.advance();
+            return self.parameter_block();
+        }
+        if item.function {
+            return self.function_item().map(ItemKind::Function);
+        }
+        match self.statement_sign() {
+            Some(Kind::Assign | Kind::AddAssign) => {
+                let definition = self.definition(false)?;
+                if self.kind() == Kind::Where {
+                    self.trap(&definition);
+                }
+                Ok(ItemKind::Definition(definition))
+            }
+            Some(_) => Ok(ItemKind::Parameters(vec![self.declaration()?])),
+            None => {
+                let value = self.right_side()?;
+                if matches!(self.kind(), Kind::Assign | Kind::AddAssign) {
+                    let span = value.span;
+                    let message = "this cannot be defined";
+                    let help = "the left side of a definition is a name, with subscripts or with \
+                                parameters in parentheses";
+                    return self.fail(Diagnostic::error(span, message).help(help));
+                }
+                Ok(ItemKind::Expression(value))
+            }
+        }
+    }
+
+    /// The declarations after a `where` that stands alone on its line.
+    fn parameter_block(&mut self) -> Parsed<ItemKind> {
+        let mut list = vec![self.declaration()?];
+        while self.kind() == Kind::Newline {
+            let back = self.at;
+            self.advance();
+            let sign = self.statement_sign();
+            if !matches!(sign, Some(Kind::In | Kind::Colon | Kind::Subset)) {
+                self.at = back;
+                break;
+            }
+            match self.declaration() {
+                Ok(declaration) => list.push(declaration),
+                Err(Failed) => self.skip_item(),
+            }
+            if !self.at_end() {
+                self.trailing();
+                self.skip_item();
+            }
+        }
+        Ok(ItemKind::Parameters(list))
+    }
+
+    fn skip_item(&mut self) {
+        while !self.at_end() {
+            self.advance();
+        }
+    }
+
+    /// `y = 2a where a ∈ ℝ`: the reader expects a parameter, the original makes a function.
+    fn trap(&mut self, definition: &Definition) {
+        self.advance();
+        let declares = matches!(
+            self.statement_sign(),
+            Some(Kind::In | Kind::Colon | Kind::Subset)
+        );
+        let local = match self.kind() {
+            Kind::Name(id) | Kind::Function(id) => self.texts.get(id).to_owned(),
+            _ => String::new(),
+        };
+        let span = self.here();
+        let target = definition.targets.first().map_or("", |t| t.name.text.as_str());
+        let error = if declares {
+            let message = format!("local declaration `{local}` is not a parameter of `{target}`");
+            let help = format!(
+                "declare `{local}` on a line of its own to make it a parameter of the module, or \
+                 write `{target}({local}) = …`"
+            );
+            Diagnostic::error(span, message).help(help)
+        } else {
+            let message = format!("`{target}` has no parameters, so it has no local definitions");
+            let help = format!("define `{local}` on a line of its own");
+            Diagnostic::error(span, message).help(help)
+        };
+        self.report(error);
+        self.skip_item();
+    }
+
+    fn import(&mut self) -> Parsed<Import> {
+        let names = match self.kind() {
+            Kind::Star => {
+                self.advance();
+                None
+            }
+            _ => Some(self.import_names()?),
+        };
+        self.expect(Kind::From, "`from`", "write `names from Module(arguments)`")?;
+        let module = self.import_word("the name of a module")?;
+        let mut arguments = Vec::new();
+        if self.eat(Kind::LeftParen) {
+            while self.kind() != Kind::RightParen {
+                arguments.push(self.import_word("a parameter of this module")?);
+                if !self.eat(Kind::Comma) && !self.eat(Kind::Semicolon) {
+                    break;
+                }
+            }
+            self.expect(Kind::RightParen, "`,` or `)`", "close the list of arguments")?;
+        }
+        Ok(Import {
+            names,
+            module,
+            arguments,
+        })
+    }
+
+    fn import_names(&mut self) -> Parsed<Vec<ImportName>> {
+        let mut names = Vec::new();
+        loop {
+            let name = self.import_word("a name to import")?;
+            let renamed = match self.kind() {
+                Kind::Word(id) => self.texts.get(id) == "as",
+                _ => false,
+            };
+            let rename = match renamed {
+                true => {
+                    self.advance();
+                    Some(self.import_word("the new name")?)
+                }
+                false => None,
+            };
+            names.push(ImportName { name, rename });
+            if !self.eat(Kind::Comma) {
+                return Ok(names);
+            }
+        }
+    }
+
+    fn import_word(&mut self, what: &str) -> Parsed<Name> {
+        let start = self.here();
+        let Some((text, next)) = import_name(&self.tokens, &self.texts, self.at) else {
+            return self.expected(what, "write `names from Module(arguments)`");
+        };
+        self.at = next;
+        let span = self.since(start);
+        if text.starts_with("__ihm") {
+            self.report(reserved(span, &text));
+        }
+        Ok(Name { text, span })
+    }
+
+    /// The sign after a list of names with subscripts: what kind of statement begins here.
+    pub(super) fn statement_sign(&mut self) -> Option<Kind> {
+        let mut index = 0;
+        while index < 256 {
+            if !self.is_name(index) {
+                return None;
+            }
+            index += 1;
+            while matches!(
+                self.ahead(index),
+                Kind::SubscriptLetter(_) | Kind::SubscriptNumber(_)
+            ) {
+                index += 1;
+            }
+            if self.ahead(index) == Kind::Underscore {
+                index += 1;
+                if self.ahead(index) == Kind::LeftParen {
+                    let partner = self.partners.get(self.at + index).copied();
+                    let partner = partner.filter(|p| *p != super::NONE)? as usize;
+                    index = partner + 1 - self.at;
+                }
+                loop {
+                    let comma = self.ahead(index) == Kind::Comma;
+                    let comma = (comma && self.tight(index + 1)) as usize;
+                    let kind = self.ahead(index + comma);
+                    let part = matches!(
+                        kind,
+                        Kind::Name(_) | Kind::Function(_) | Kind::Integer(_) | Kind::Star | Kind::Unknown
+                    );
+                    if !part || !self.tight(index) {
+                        break;
+                    }
+                    index += 1 + comma;
+                }
+            }
+            match self.ahead(index) {
+                Kind::Comma => index += 1,
+                sign @ (Kind::Assign
+                | Kind::AddAssign
+                | Kind::In
+                | Kind::Colon
+                | Kind::Subset) => return Some(sign),
+                _ => return None,
+            }
+        }
+        None
+    }
+
+    /// `targets = value`; in a `where` the value ends at the next comma.
+    pub(super) fn definition(&mut self, local: bool) -> Parsed<Definition> {
+        let start = self.here();
+        let mut targets = Vec::new();
+        loop {
+            let help = "a definition is `name = value` or `name_i = value`";
+            let name = self.name("a name", help)?;
+            let subscripts = self.subscripts()?.unwrap_or_default();
+            targets.push(LeftSide { name, subscripts });
+            if !self.eat(Kind::Comma) {
+                break;
+            }
+        }
+        let add = self.kind() == Kind::AddAssign;
+        if add {
+            self.advance();
+        } else {
+            self.expect(Kind::Assign, "`=`", "a definition is `name = value`")?;
+        }
+        let value = match self.right_side() {
+            Ok(value) => value,
+            Err(Failed) => self.failed_value(local),
+        };
+        let span = self.since(start);
+        Ok(Definition {
+            targets,
+            add,
+            value,
+            span,
+        })
+    }
+
+    /// Goes on behind a value that could not be read.
+    fn failed_value(&mut self, local: bool) -> Expr {
+        let start = self.here();
+        let mut depth = 0usize;
+        self.context = Context::PLAIN;
+        while !self.at_end() {
+            match self.kind() {
+                Kind::LeftParen | Kind::LeftBracket | Kind::LeftBrace => depth += 1,
+                Kind::RightParen | Kind::RightBracket | Kind::RightBrace => {
+                    depth = depth.saturating_sub(1);
+                }
+                Kind::Where if !local => break,
+                Kind::Comma if local && depth == 0 => {
+                    self.at += 1;
+                    let begins = self.statement_sign().is_some();
+                    self.at -= 1;
+                    if begins {
+                        break;
+                    }
+                }
+                _ => {}
+            }
+            self.advance();
+        }
+        make(ExprKind::Error, start)
+    }
+
+    /// An expression, a piecewise value or an optimisation.
+    pub(super) fn right_side(&mut self) -> Parsed<Expr> {
+        match self.kind() {
+            Kind::Piecewise => self.nested(Self::piecewise),
+            Kind::Optimise(_) | Kind::Initial => self.nested(Self::optimise),
+            _ => self.expression(),
+        }
+    }
+
+    fn function_item(&mut self) -> Parsed<Function> {
+        let name = self.name("the name of a function", "")?;
+        let mut subscripts = Vec::new();
+        for subscript in self.subscripts()?.unwrap_or_default() {
+            match subscript {
+                Subscript::Expr(Expr {
+                    kind: ExprKind::Name(name),
+                    ..
+                }) => subscripts.push(name),
+                Subscript::Expr(Expr { span, .. }) | Subscript::All(span) => {
+                    let error = Diagnostic::error(span, "a parameter of a function is a name");
+                    self.report(error.help("write a name"));
+                }
+            }
+        }
+        let parameters = match self.kind() {
+            Kind::LeftParen => Some(self.parameter_names()?),
+            _ => None,
+        };
+        self.expect(Kind::Assign, "`=`", "a function is `f(x) = value where x ∈ …`")?;
+        let body = match self.right_side() {
+            Ok(body) => body,
+            Err(Failed) => self.failed_value(false),
+        };
+        let mut function = Function {
+            name,
+            subscripts,
+            parameters,
+            body,
+            declarations: Vec::new(),
+            locals: Vec::new(),
+        };
+        let comma = self.kind() == Kind::Comma;
+        if self.eat(Kind::Where) || comma && self.eat(Kind::Comma) {
+            self.where_clause(&mut function);
+        }
+        Ok(function)
+    }
+
+    fn parameter_names(&mut self) -> Parsed<Vec<Name>> {
+        self.advance();
+        let mut names = Vec::new();
+        while self.kind() != Kind::RightParen {
+            names.push(self.name("a parameter", "parameters are names, separated by commas")?);
+            if !self.eat(Kind::Comma) && !self.eat(Kind::Semicolon) {
+                break;
+            }
+        }
+        let help = "parameters are names, separated by commas; their types follow after `where`";
+        self.expect(Kind::RightParen, "`,` or `)`", help)?;
+        Ok(names)
+    }
+
+    fn where_clause(&mut self, function: &mut Function) {
+        loop {
+            let result = match self.statement_sign() {
+                Some(Kind::Assign) => self.definition(true).map(|d| function.locals.push(d)),
+                Some(Kind::AddAssign) => {
+                    let error = Diagnostic::error(self.here(), "`+=` adds to definitions of the module only");
+                    self.fail(error.help("write the whole sum in one definition"))
+                }
+                Some(_) => self.declaration().map(|d| function.declarations.push(d)),
+                None => self.expected(
+                    "a declaration or a definition",
+                    "after `where` stand `x ∈ type` for the parameters and `name = value`, separated by commas",
+                ),
+            };
+            if result.is_err() {
+                self.failed_value(true);
+            }
+            if !self.eat(Kind::Comma) {
+                return;
+            }
+        }
+    }
+
+    /// `x, y_i ∈ type attribute : text`.
+    pub(super) fn declaration(&mut self) -> Parsed<Declaration> {
+        let start = self.here();
+        let help = "a declaration is `x ∈ type`, `x_i ∈ type` for a sequence, or `s ⊂ S`";
+        let mut targets = Vec::new();
+        loop {
+            let name = self.name("a name", help)?;
+            let at = self.here();
+            let subscript = match self.subscripts()? {
+                None => None,
+                Some(list) => Some(self.sequence_letter(list, self.since(at))?),
+            };
+            targets.push(Target { name, subscript });
+            if !self.eat(Kind::Comma) {
+                break;
+            }
+        }
+        let relation = match self.kind() {
+            Kind::In => Relation::Member,
+            Kind::Colon => Relation::Colon,
+            Kind::Subset => Relation::Subset,
+            _ => return self.expected("`∈`, `:` or `⊂`", help),
+        };
+        self.advance();
+        let ty = self.declared_type()?;
+        let attribute = self.attribute();
+        let mut description = None;
+        if self.kind() == Kind::Colon {
+            self.advance();
+            if self.kind() == Kind::Description {
+                description = Some(self.token_text().to_owned());
+                self.advance();
+            }
+        }
+        Ok(Declaration {
+            targets,
+            relation,
+            ty,
+            attribute,
+            description,
+            span: self.since(start),
+        })
+    }
+
+    /// The one letter that a sequence is declared with.
+    fn sequence_letter(&mut self, mut list: Vec<Subscript>, span: Span) -> Parsed<Name> {
+        if list.len() == 1
+            && let Some(Subscript::Expr(Expr {
+                kind: ExprKind::Name(name),
+                ..
+            })) = list.pop()
+        {
+            return Ok(name);
+        }
+        let error = Diagnostic::error(span, "a sequence is declared with one subscript letter");
+        self.fail(error.help("write `x_i ∈ type`; several dimensions go into the type"))
+    }
+}

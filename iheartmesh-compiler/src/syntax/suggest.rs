@@ -1,0 +1,35 @@
+//! The declared name that a misspelt one was probably meant to be.
+
+/// The name with the smallest edit distance, if it is close enough; the first of several equally close ones.
+pub fn closest<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let word: Vec<char> = word.chars().take(40).collect();
+    let mut best: Option<(usize, &str)> = None;
+    for name in names {
+        let letters: Vec<char> = name.chars().take(40).collect();
+        let most = word.len().max(letters.len()) / 3;
+        if letters.len() < 2 || word.len().abs_diff(letters.len()) > most {
+            continue;
+        }
+        let distance = distance(&word, &letters);
+        if distance <= most && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, name));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+/// Number of letters to insert, remove or replace; case counts little.
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let same = x.eq_ignore_ascii_case(y);
+            let replaced = diagonal + !same as usize;
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
