@@ -126,6 +126,19 @@ fn is_letter(c: char) -> bool {
     c.is_alphabetic() && !modifier && !sign && !is_combining_mark(c)
 }
 
+/// `^(-1)` or `^-1`, unless the number goes on: the length.
+fn inverse(rest: &str) -> Option<usize> {
+    if rest.starts_with("^(-1)") {
+        return Some(5);
+    }
+    let after = rest.strip_prefix("^-1")?;
+    let mut bytes = after.bytes();
+    let first = bytes.next();
+    let exponent = first == Some(b'E') && bytes.next().is_some_and(|b| b.is_ascii_digit() || b == b'-' || b == b'+');
+    let goes_on = exponent || matches!(first, Some(b'0'..=b'9' | b'.' | b'^'));
+    (!goes_on).then_some(3)
+}
+
 fn is_blank(c: char) -> bool {
     c == '\u{feff}' || c == '\u{200b}' || c.is_whitespace() && !is_break(c)
 }
@@ -316,6 +329,8 @@ impl Lexer<'_> {
             "and" => Kind::And,
             "or" => Kind::Or,
             "from" => Kind::From,
+            "RR" => Kind::Reals,
+            "ZZ" => Kind::Integers,
             "sum" if matches!(next, Some(b'_' | b'(')) => Kind::Sum,
             "prod" if matches!(next, Some(b'_' | b'(')) => Kind::Product,
             "int" if next == Some(b'_') => Kind::Integral,
@@ -344,6 +359,12 @@ impl Lexer<'_> {
         ];
         if let Some((_, kind)) = pairs.iter().find(|(text, _)| rest.starts_with(text)) {
             return self.push(*kind, 2);
+        }
+        if let Some(length) = inverse(rest) {
+            return self.push(Kind::Inverse, length);
+        }
+        if rest.starts_with("^+") && !self.space {
+            return self.push(Kind::PseudoInverse, 2);
         }
         if rest.starts_with("+=") {
             return self.push(Kind::AddAssign, 2);

@@ -203,10 +203,6 @@ impl Splitter<'_> {
         if whole || single {
             return self.push_name(item, word, token);
         }
-        if word == "RR" || word == "ZZ" {
-            let kind = if word == "RR" { Kind::Reals } else { Kind::Integers };
-            return self.push(kind, token.start, token.end, token.space);
-        }
         let pieces = self.pieces(token);
         let inverse = format!("{word}⁻¹");
         let mut split = Vec::new();

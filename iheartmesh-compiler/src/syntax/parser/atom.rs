@@ -1,6 +1,6 @@
 //! What operators work on: names, calls, numbers, vectors, sets.
 
-use super::super::ast::{Expr, ExprKind, Name, Subscript};
+use super::super::ast::{BinaryOp, Expr, ExprKind, Name, Subscript, UnaryOp};
 use super::super::token::{Kind, Token};
 use super::expression::make;
 use super::{Context, Parsed, Parser};
@@ -36,6 +36,12 @@ impl Parser<'_> {
             Kind::Optimise(_) => return self.misplaced("an optimisation"),
             Kind::Bar | Kind::DoubleBar => return self.norm(),
             Kind::LeftAngle | Kind::Less => return self.inner(),
+            Kind::Hash => {
+                self.advance();
+                let operand = Box::new(self.nested(Self::atom)?);
+                let op = UnaryOp::Size;
+                return Ok(make(ExprKind::Unary { op, operand }, self.since(start)));
+            }
             Kind::Minus => {
                 let help = "put the operand with its sign in parentheses, as in `(-b)`";
                 return self.expected("an operand", help);
@@ -105,7 +111,7 @@ impl Parser<'_> {
             let call = self.call(function, subscripts, arguments, start);
             let (left, right) = (Box::new(call), Box::new(exponent));
             let op_span = right.span;
-            let op = super::super::ast::BinaryOp::Power;
+            let op = BinaryOp::Power;
             let kind = ExprKind::Binary {
                 op,
                 left,

@@ -257,13 +257,6 @@ impl Parser<'_> {
                 let op = UnaryOp::SquareRoot;
                 Ok(make(ExprKind::Unary { op, operand }, parser.since(start)))
             }),
-            Kind::Hash => {
-                let start = self.here();
-                self.advance();
-                let operand = Box::new(self.atom()?);
-                let op = UnaryOp::Size;
-                Ok(make(ExprKind::Unary { op, operand }, self.since(start)))
-            }
             Kind::Nabla | Kind::Laplace => self.nested(Self::gradient),
             Kind::Partial | Kind::Total => self.nested(Self::derivative),
             Kind::Sum | Kind::Product | Kind::Union => self.nested(Self::big),
@@ -324,23 +317,13 @@ impl Parser<'_> {
         }
     }
 
-    /// `^T`, `^⊤`, `^-1`, `^(-1)`, `^+`: the operator and its number of tokens.
+    /// `^T`, `^⊤`: the operator and its number of tokens.
     fn caret_sign(&mut self) -> Option<(UnaryOp, usize)> {
         match self.ahead(1) {
             Kind::Top => Some((UnaryOp::Transpose, 2)),
             Kind::Name(id) if self.texts.get(id) == "T" => {
                 let subscripted = self.ahead(2) == Kind::Underscore && self.tight(2);
                 (!subscripted).then_some((UnaryOp::Transpose, 2))
-            }
-            Kind::Plus if self.tight(1) => Some((UnaryOp::PseudoInverse, 2)),
-            Kind::Minus if self.ahead(2) == Kind::Integer(1) => {
-                let further = self.ahead(3) == Kind::Caret && self.tight(3);
-                (!further).then_some((UnaryOp::Inverse, 3))
-            }
-            Kind::LeftParen => {
-                let signs = [Kind::Minus, Kind::Integer(1), Kind::RightParen];
-                let found = (0..3).all(|k| self.ahead(k + 2) == signs[k]);
-                found.then_some((UnaryOp::Inverse, 5))
             }
             _ => None,
         }
