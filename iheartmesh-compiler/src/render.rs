@@ -139,7 +139,10 @@ impl Padded {
         }
         let after = self.starts.partition_point(|(start, _)| *start <= offset);
         let (from, to) = self.starts[after.saturating_sub(1)];
-        let end = self.starts.get(after).map_or(self.text.len(), |next| next.1);
+        let end = self
+            .starts
+            .get(after)
+            .map_or(self.text.len(), |next| next.1);
         (to + (offset - from)).min(end)
     }
 }

@@ -13,7 +13,11 @@ use syntax_support::corpus;
 fn read(text: &str) -> Module {
     let source = Source::file("test.hlang", text);
     let (mut module, diagnostics) = parse(&source, SourceId(0), &NoImports);
-    assert!(!diagnostics.has_errors(), "{text}\n{:?}", diagnostics.sorted());
+    assert!(
+        !diagnostics.has_errors(),
+        "{text}\n{:?}",
+        diagnostics.sorted()
+    );
     strip_spans(&mut module);
     module
 }
@@ -25,7 +29,11 @@ fn what_is_printed_is_read_back() {
         for spelling in [Spelling::Unicode, Spelling::Ascii] {
             let printed = print::module(&module, spelling);
             let again = read(&printed);
-            assert_eq!(dump(&module), dump(&again), "{name} {spelling:?}\n{printed}");
+            assert_eq!(
+                dump(&module),
+                dump(&again),
+                "{name} {spelling:?}\n{printed}"
+            );
             assert!(module == again, "{name} {spelling:?}\n{printed}");
             let twice = print::module(&again, spelling);
             assert_eq!(printed, twice, "{name} {spelling:?}");
@@ -45,7 +53,9 @@ fn check(spelling: Spelling, expected: Expect) {
 
 #[test]
 fn unicode() {
-    check(Spelling::Unicode, expect![[r#"
+    check(
+        Spelling::Unicode,
+        expect![[r#"
         // everything
         sin, cos, atan2, e from trigonometry
         * from linearalgebra
@@ -158,12 +168,15 @@ fn unicode() {
         g = ∂W/∂q
         H = ∂²W/∂q²
         moved = vec⁻¹_q(vec(q) - s g)
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn ascii() {
-    check(Spelling::Ascii, expect![[r#"
+    check(
+        Spelling::Ascii,
+        expect![[r#"
         // everything
         sin, cos, atan2, e from trigonometry
         * from linearalgebra
@@ -276,5 +289,6 @@ fn ascii() {
         g = \partial W/\partial q
         H = \partial^2 W/\partial q^2
         moved = vec^-1_q(vec(q) - s g)
-    "#]]);
+    "#]],
+    );
 }

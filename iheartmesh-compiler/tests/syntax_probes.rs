@@ -443,13 +443,13 @@ fn sums() {
                => expression (⋃ (k ∈ S) {k})
             ∑_j (j ∈ S) w_j
                Error: expected `)`, found `∈`
-               = close the parenthesis
+               = the index of a sum stands directly after `_`, as in `∑_(j ∈ S)`
             ∑ᵢ wᵢ
                Error: expected an index, found `ᵢ`
                = write `∑_i`, `∑_(i ∈ S)`, `∑_(i for condition)` or `∑_(i = a)^b`
             sum_(i in S) w_i
                Error: unknown name `in`
-               = did you mean `min`?
+               = membership is written `∈` or `\in`
             sum_(i \in S) w_i
                => expression (∑ (i ∈ S) w[i])
             ∑_index w_index
@@ -523,7 +523,7 @@ fn matrices() {
                Error: expected a cell, found `]`
                = cells are separated by blanks or commas, rows by `;` or line breaks
             [a b; c]
-               Error: this row has 1 cells, but the first row has 2
+               Error: this row has 1 cell, but the first row has 2
                = blanks separate cells: put a sum or product in parentheses, or write it without blanks
             []
                Error: a matrix has at least one cell
@@ -566,10 +566,10 @@ fn subscripts() {
                => expression A[(+ n 1) 2]
             A_(n+1),2
                Error: expected the end of the item, found `,`
-               = each item stands on a line of its own; use parentheses to go on over a line break
+               = each declaration stands on a line of its own; between subscripts stands a comma without blanks
             A_1, 1
                Error: expected the end of the item, found `,`
-               = each item stands on a line of its own; use parentheses to go on over a line break
+               = each declaration stands on a line of its own; between subscripts stands a comma without blanks
             w_12
                => expression w[12]
             x_i,j
@@ -589,7 +589,7 @@ fn subscripts() {
                = write a name, a number or `*`, or an expression in parentheses: `x_(i+1)`
             x_i_1
                Error: expected the end of the item, found `_`
-               = each item stands on a line of its own; use parentheses to go on over a line break
+               = all subscripts stand after one `_`, separated by commas, as in `x_i,1`
         "#]],
     );
 }
@@ -773,7 +773,7 @@ fn functions() {
                => define y[i] = w[i]
             y = a NL + b
                Error: expected an operand, found `+`
-               = write a name, a number or a bracket here
+               = an expression goes on over a line break after an operator or in parentheses
             y = 2a where q ∈ ℝ
                Error: local declaration `q` is not a parameter of `y`
                = declare `q` on a line of its own to make it a parameter of the module, or write `y(q) = …`
@@ -1043,7 +1043,7 @@ fn declarations() {
                = write a name, a number or a bracket here
             k ∈ ℝ, l ∈ ℝ
                Error: expected the end of the item, found `,`
-               = each item stands on a line of its own; use parentheses to go on over a line break
+               = each declaration stands on a line of its own; between subscripts stands a comma without blanks
             k : vertexSet
                => parameter k : VertexSet
             k ∈ ℝ^(#x)

@@ -8,10 +8,14 @@ use iheartmesh_compiler::span::{SourceId, Span};
 
 fn check(source: Source, marks: &[(&str, &str)], expected: Expect) {
     let place = |text: &str| {
-        let start = source.text.find(text).expect("the text is part of the source");
+        let start = source
+            .text
+            .find(text)
+            .expect("the text is part of the source");
         Span::new(SourceId(0), start, start + text.len())
     };
-    let mut diagnostic = Diagnostic::error(place(marks[0].0), "cannot add `ℝ³` and `ℝ`").here(marks[0].1);
+    let mut diagnostic =
+        Diagnostic::error(place(marks[0].0), "cannot add `ℝ³` and `ℝ`").here(marks[0].1);
     for (text, label) in &marks[1..] {
         diagnostic = diagnostic.label(place(text), *label);
     }
@@ -23,9 +27,19 @@ fn check(source: Source, marks: &[(&str, &str)], expected: Expect) {
 
 #[test]
 fn several_labels() {
-    let source = Source::file("shape.hlang", "x_i ∈ ℝ³\nw ∈ ℝ\n\nA(v) = x_v + w where v ∈ V\n");
-    let marks = [("x_v", "a vector"), ("w where", "a number"), ("w ∈ ℝ", "declared here")];
-    check(source, &marks, expect![[r#"
+    let source = Source::file(
+        "shape.hlang",
+        "x_i ∈ ℝ³\nw ∈ ℝ\n\nA(v) = x_v + w where v ∈ V\n",
+    );
+    let marks = [
+        ("x_v", "a vector"),
+        ("w where", "a number"),
+        ("w ∈ ℝ", "declared here"),
+    ];
+    check(
+        source,
+        &marks,
+        expect![[r#"
         error: cannot add `ℝ³` and `ℝ`
          --> shape.hlang:4:8
           |
@@ -38,7 +52,8 @@ fn several_labels() {
           |        a vector
           |
           = help: multiply one of them
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -50,7 +65,10 @@ fn a_literal_in_a_rust_file() {
         indents: vec![24],
         places: Vec::new(),
     };
-    check(source, &[("x + 1", ""), ("x ∈", "declared here")], expect![[r#"
+    check(
+        source,
+        &[("x + 1", ""), ("x ∈", "declared here")],
+        expect![[r#"
         error: cannot add `ℝ³` and `ℝ`
           --> src/main.rs:13:9
            |
@@ -60,7 +78,8 @@ fn a_literal_in_a_rust_file() {
            |         ^^^^^
            |
            = help: multiply one of them
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -72,7 +91,10 @@ fn documentation_lines() {
         indents: vec![8, 8],
         places: Vec::new(),
     };
-    check(source, &[("x + 1", "here")], expect![[r#"
+    check(
+        source,
+        &[("x + 1", "here")],
+        expect![[r#"
         error: cannot add `ℝ³` and `ℝ`
          --> src/main.rs:4:13
           |
@@ -80,7 +102,8 @@ fn documentation_lines() {
           |             ^^^^^ here
           |
           = help: multiply one of them
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -94,7 +117,10 @@ fn a_literal_with_escapes() {
         places: vec![place(0, 7, 20), place(3, 7, 24), place(6, 9, 5)],
         ..Source::file("src/main.rs", "A \\ b\ny = x + 1\n")
     };
-    check(source, &[("x + 1", ""), ("b", "on a line before")], expect![[r#"
+    check(
+        source,
+        &[("x + 1", ""), ("b", "on a line before")],
+        expect![[r#"
         error: cannot add `ℝ³` and `ℝ`
          --> src/main.rs:9:9
           |
@@ -105,13 +131,17 @@ fn a_literal_with_escapes() {
           |         ^^^^^
           |
           = help: multiply one of them
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn combining_marks_and_wide_signs() {
     let source = Source::file("wide.hlang", "x̂ ỹ = n̄̂ + 𝟙_3 𝕕 `漢字` + z // ❤️ end");
-    check(source, &[("z", "after wide and combined signs"), ("𝟙_3", "ones")], expect![[r#"
+    check(
+        source,
+        &[("z", "after wide and combined signs"), ("𝟙_3", "ones")],
+        expect![[r#"
         error: cannot add `ℝ³` and `ℝ`
          --> wide.hlang:1:27
           |
@@ -119,7 +149,8 @@ fn combining_marks_and_wide_signs() {
           |           --- ones       ^ after wide and combined signs
           |
           = help: multiply one of them
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -127,7 +158,10 @@ fn places_outside_the_text() {
     let mut sources = Sources::default();
     let id = sources.add(Source::file("a.hlang", "θ"));
     let mut all = Diagnostics::default();
-    all.push(Diagnostic::warning(Span::new(id, 1, 9), "in the middle of a character"));
+    all.push(Diagnostic::warning(
+        Span::new(id, 1, 9),
+        "in the middle of a character",
+    ));
     all.push(Diagnostic::note(Span::new(id, 7, 3), "past the end"));
     let empty = sources.add(Source::file("b.hlang", ""));
     let other = Diagnostic::error(Span::new(empty, 0, 0), "nothing here");
@@ -155,5 +189,6 @@ fn places_outside_the_text() {
           |
         1 | θ
           | - but here
-    "#]].assert_eq(&(render_all(&sources, &all) + "\n"));
+    "#]]
+    .assert_eq(&(render_all(&sources, &all) + "\n"));
 }

@@ -11,7 +11,9 @@ fn item(item: &Item) -> String {
     match &item.kind {
         ItemKind::Import(node) => format!("import {}\n", import(node)),
         ItemKind::Parameters(list) => {
-            let list = list.iter().map(|node| format!("parameter {}\n", declaration(node)));
+            let list = list
+                .iter()
+                .map(|node| format!("parameter {}\n", declaration(node)));
             list.collect()
         }
         ItemKind::Function(node) => function(node),
@@ -30,7 +32,10 @@ fn names(list: &[Name]) -> String {
 }
 
 fn name(name: &Name) -> String {
-    let plain = !name.text.chars().any(|c| c.is_whitespace() || "()[]{},".contains(c));
+    let plain = !name
+        .text
+        .chars()
+        .any(|c| c.is_whitespace() || "()[]{},".contains(c));
     match plain {
         true => name.text.clone(),
         false => format!("`{}`", name.text),
@@ -105,14 +110,24 @@ fn ty(node: &Type) -> String {
             rows,
             columns,
             sparse: few,
-        } => format!("{}[{}, {}]{}", number(*of), expr(rows), expr(columns), sparse(*few)),
+        } => format!(
+            "{}[{}, {}]{}",
+            number(*of),
+            expr(rows),
+            expr(columns),
+            sparse(*few)
+        ),
         TypeKind::Set(parts) => format!("{{{}}}", join(parts, " × ", ty)),
         TypeKind::SetOfAlternatives(parts) => format!("{{{}}}", join(parts, " ∨ ", ty)),
         TypeKind::Tuple(parts) => format!("({})", join(parts, " × ", ty)),
         TypeKind::Function {
             parameters,
             results,
-        } => format!("({} → {})", join(parameters, ", ", ty), join(results, ", ", ty)),
+        } => format!(
+            "({} → {})",
+            join(parameters, ", ", ty),
+            join(results, ", ", ty)
+        ),
         TypeKind::Mapping { from, to } => format!("({} ↦ {})", name(from), ty(to)),
         TypeKind::Mesh(kind) => format!("{kind:?}"),
         TypeKind::ElementSet(kind) => format!("{kind:?}Set"),
@@ -150,32 +165,22 @@ fn list(head: &str, parts: &[Expr]) -> String {
 }
 
 fn locals(nodes: &[Definition]) -> String {
-    let nodes = nodes.iter().map(|node| format!(" where {}", definition(node)));
+    let nodes = nodes
+        .iter()
+        .map(|node| format!(" where {}", definition(node)));
     nodes.collect()
 }
 
-/// The tree of an expression.
+/// The tree of an expression. Long rows of operators need little of the stack.
 pub(crate) fn expr(node: &Expr) -> String {
     match &node.kind {
-        ExprKind::Integer(number) => number.to_string(),
-        ExprKind::Real(number) => format!("{number:?}"),
-        ExprKind::Pi => "π".to_owned(),
-        ExprKind::Infinity => "∞".to_owned(),
-        ExprKind::Name(node) => name(node),
-        ExprKind::Subscript { base, subscripts } => {
-            format!("{}[{}]", expr(base), join(subscripts, " ", subscript))
-        }
-        ExprKind::Call {
-            function,
-            subscripts,
-            arguments,
-        } => {
-            let mut head = format!("call {}", name(function));
-            if !subscripts.is_empty() {
-                head += &format!("[{}]", join(subscripts, " ", expr));
-            }
-            list(&head, arguments)
-        }
+        ExprKind::Unary { .. } | ExprKind::Binary { .. } => operation(node),
+        _ => other(node),
+    }
+}
+
+fn operation(node: &Expr) -> String {
+    match &node.kind {
         ExprKind::Unary { op, operand } => {
             let op = match op {
                 UnaryOp::Negate => "neg",
@@ -185,7 +190,7 @@ pub(crate) fn expr(node: &Expr) -> String {
                 UnaryOp::PseudoInverse => "pinv",
                 UnaryOp::Size => "#",
             };
-            format!("({op} {})", expr(operand))
+            ["(", op, " ", &expr(operand), ")"].concat()
         }
         ExprKind::Binary {
             op, left, right, ..
@@ -206,8 +211,34 @@ pub(crate) fn expr(node: &Expr) -> String {
                 BinaryOp::Intersection => "∩",
                 BinaryOp::Power => "^",
             };
-            format!("({op} {} {})", expr(left), expr(right))
+            ["(", op, " ", &expr(left), " ", &expr(right), ")"].concat()
         }
+        _ => String::new(),
+    }
+}
+
+fn other(node: &Expr) -> String {
+    match &node.kind {
+        ExprKind::Integer(number) => number.to_string(),
+        ExprKind::Real(number) => format!("{number:?}"),
+        ExprKind::Pi => "π".to_owned(),
+        ExprKind::Infinity => "∞".to_owned(),
+        ExprKind::Name(node) => name(node),
+        ExprKind::Subscript { base, subscripts } => {
+            format!("{}[{}]", expr(base), join(subscripts, " ", subscript))
+        }
+        ExprKind::Call {
+            function,
+            subscripts,
+            arguments,
+        } => {
+            let mut head = format!("call {}", name(function));
+            if !subscripts.is_empty() {
+                head += &format!("[{}]", join(subscripts, " ", expr));
+            }
+            list(&head, arguments)
+        }
+        ExprKind::Unary { .. } | ExprKind::Binary { .. } => operation(node),
         ExprKind::Norm {
             double,
             operand,
@@ -244,7 +275,11 @@ pub(crate) fn expr(node: &Expr) -> String {
         } => {
             let test = test.as_ref().map(|node| format!(" if {}", condition(node)));
             let (variables, test) = (names(variables), test.unwrap_or_default());
-            format!("{{{} for {variables} ∈ {}{test}}}", expr(element), expr(range))
+            format!(
+                "{{{} for {variables} ∈ {}{test}}}",
+                expr(element),
+                expr(range)
+            )
         }
         ExprKind::NumberMatrix {
             ones,
@@ -321,7 +356,9 @@ fn big(node: &Expr) -> String {
         Head::Index(index) => name(index),
         Head::Filtered(index, test) => format!("({} for {})", name(index), condition(test)),
         Head::Members(indices, range) => format!("({} ∈ {})", names(indices), expr(range)),
-        Head::Range(index, from, to) => format!("({} = {} to {})", name(index), expr(from), expr(to)),
+        Head::Range(index, from, to) => {
+            format!("({} = {} to {})", name(index), expr(from), expr(to))
+        }
     };
     format!("({op} {head} {}{})", expr(body), locals(definitions))
 }
@@ -339,16 +376,22 @@ fn optimise(node: &Expr) -> String {
     };
     let kind = format!("{kind:?}").to_lowercase();
     let variables = join(variables, ", ", declaration);
-    let tests = constraints.iter().map(|node| format!(" s.t. {}", condition(node)));
+    let tests = constraints
+        .iter()
+        .map(|node| format!(" s.t. {}", condition(node)));
     let tests: String = tests.collect();
-    let initial = initial.iter().map(|node| format!(" initial {}", definition(node)));
+    let initial = initial
+        .iter()
+        .map(|node| format!(" initial {}", definition(node)));
     let initial: String = initial.collect();
     format!("({kind} ({variables}) {}{tests}{initial})", expr(objective))
 }
 
 fn condition(node: &Condition) -> String {
     match &node.kind {
-        ConditionKind::And(left, right) => format!("(and {} {})", condition(left), condition(right)),
+        ConditionKind::And(left, right) => {
+            format!("(and {} {})", condition(left), condition(right))
+        }
         ConditionKind::Or(left, right) => format!("(or {} {})", condition(left), condition(right)),
         ConditionKind::Compare { op, left, right } => {
             let op = match op {

@@ -3,13 +3,15 @@
 //! The language depends on declared names, blanks and bars, so lexer and parser are written by hand: [`parse`] lexes
 //! the text, settles what each line break means, collects the declared names, splits runs of letters by them, and
 //! reads the items by recursive descent. It is total: any text gives a tree and diagnostics, in time proportional to
-//! its length, and no nesting is deeper than [`MOST_NESTING`].
+//! its length, and no tree is higher than [`MOST_HEIGHT`].
 
 pub mod ast;
 pub mod builtin;
 mod dump;
 mod export;
+mod import_names;
 mod layout;
+mod letters;
 mod lexer;
 mod names;
 mod parser;
@@ -28,8 +30,11 @@ use crate::diagnostic::Diagnostics;
 use crate::source::Source;
 use crate::span::SourceId;
 
-/// How deep expressions may be nested, and how many operators may follow one another in a row.
-pub const MOST_NESTING: usize = 200;
+/// How deep brackets, prefixes and the like may be nested. Later stages walk trees recursively; so does the parser.
+pub const MOST_NESTING: usize = 100;
+
+/// How high a tree may be: the most operators that may follow one another in a row.
+pub const MOST_HEIGHT: usize = 200;
 
 /// After this many errors no more are reported.
 const MOST_ERRORS: usize = 100;

@@ -1,10 +1,12 @@
 //! The first pass: which names an item and the whole module declare, and which of them are functions.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::import_names::import_header;
 use super::layout::{NONE, partners};
-use super::lexer::{Texts, letter};
+use super::letters::letter;
+use super::lexer::Texts;
 use super::token::{Kind, Token};
 use super::{Export, ImportedNames, builtin};
 
@@ -50,15 +52,11 @@ struct Collector<'a> {
     module: Names,
     item: ItemNames,
     /// Names declared by the `where` of the item.
-    declared: Vec<String>,
+    declared: BTreeSet<String>,
 }
 
 /// Runs the first pass over laid-out tokens.
-pub(super) fn collect(
-    tokens: &[Token],
-    texts: &Texts,
-    imports: &dyn ImportedNames,
-) -> Collected {
+pub(super) fn collect(tokens: &[Token], texts: &Texts, imports: &dyn ImportedNames) -> Collected {
     let mut collector = Collector {
         tokens,
         partners: partners(tokens),
@@ -66,7 +64,7 @@ pub(super) fn collect(
         imports,
         module: Names::new(),
         item: ItemNames::default(),
-        declared: Vec::new(),
+        declared: BTreeSet::new(),
     };
     let mut items = Vec::new();
     let mut start = 0;
@@ -152,7 +150,7 @@ impl Collector<'_> {
 
     /// The names that a run of subscript letters stands for: itself if it is declared, its letters otherwise.
     fn units(&self, run: &str) -> Vec<String> {
-        if self.declared.iter().any(|name| name == run) {
+        if self.declared.contains(run) {
             return vec![run.to_owned()];
         }
         let mut units = Vec::new();
@@ -202,7 +200,8 @@ impl Collector<'_> {
             index += 1;
             let next = self.kind(index + 1);
             let sub = matches!(next, Kind::SubscriptLetter(_) | Kind::SubscriptNumber(_));
-            if self.kind(index) == Kind::Comma && sub && self.tight(index) && self.tight(index + 1) {
+            if self.kind(index) == Kind::Comma && sub && self.tight(index) && self.tight(index + 1)
+            {
                 index += 1;
             }
         }
@@ -290,7 +289,9 @@ impl Collector<'_> {
                 Kind::Comma if matches!(self.kind(index + 1), Kind::Word(_) | Kind::Quoted(_)) => {
                     return false;
                 }
-                Kind::Assign | Kind::In | Kind::Description | Kind::Where | Kind::With => return false,
+                Kind::Assign | Kind::In | Kind::Description | Kind::Where | Kind::With => {
+                    return false;
+                }
                 _ => {}
             }
             index += 1;
@@ -346,7 +347,7 @@ impl Collector<'_> {
         let function = !defines && self.declared_type(statement.next, end, false);
         for (name, subscripts) in &statement.targets {
             if !defines {
-                self.declared.push(name.clone());
+                self.declared.insert(name.clone());
             }
             add(&mut self.item.names, name, function);
             self.add_units(subscripts);
@@ -438,76 +439,4 @@ impl Collector<'_> {
 /// The name of an unquoted boundary matrix.
 pub(super) fn partial_name(number: i64) -> String {
     format!("∂{}", super::spelling::superscript_number(number))
-}
-
-/// The texts of an import.
-pub(super) struct ImportHeader {
-    /// Names and what they are renamed to; `None` for `*`.
-    pub names: Option<Vec<(String, Option<String>)>>,
-    pub module: String,
-}
-
-/// Reads an import without checking it.
-pub(super) fn import_header(tokens: &[Token], texts: &Texts, range: Range<usize>) -> ImportHeader {
-    let mut names = Vec::new();
-    let mut module = String::new();
-    let mut all = false;
-    let mut after = false;
-    let mut renames = false;
-    let mut index = range.start;
-    while index < range.end {
-        match tokens[index].kind {
-            Kind::Star => all = true,
-            Kind::From => after = true,
-            Kind::LeftParen => break,
-            _ => {}
-        }
-        let Some((name, next)) = import_name(tokens, texts, index) else {
-            index += 1;
-            continue;
-        };
-        index = next;
-        if after {
-            module = name;
-            break;
-        } else if name == "as" && !names.is_empty() {
-            renames = true;
-        } else if std::mem::take(&mut renames) {
-            if let Some((_, rename)) = names.last_mut() {
-                *rename = Some(name);
-            }
-        } else {
-            names.push((name, None));
-        }
-    }
-    ImportHeader {
-        names: (!all).then_some(names),
-        module,
-    }
-}
-
-/// A name of an import, in which `_` and `⁻¹` count as letters, with the index after it.
-pub(super) fn import_name(tokens: &[Token], texts: &Texts, start: usize) -> Option<(String, usize)> {
-    let mut name = String::new();
-    let mut index = start;
-    while let Some(token) = tokens.get(index)
-        && (index == start || !token.space)
-    {
-        match token.kind {
-            Kind::Quoted(id) if index == start => return Some((texts.get(id).to_owned(), index + 1)),
-            Kind::Word(id) => name.push_str(texts.get(id)),
-            Kind::Underscore => name.push('_'),
-            Kind::Integer(number) if index > start => name.push_str(&number.to_string()),
-            Kind::Inverse if index > start => name.push_str("⁻¹"),
-            Kind::Partial => match tokens.get(index + 1).map(|token| token.kind) {
-                Some(Kind::SuperscriptNumber(number)) if index == start => {
-                    return Some((partial_name(number), index + 2));
-                }
-                _ => break,
-            },
-            _ => break,
-        }
-        index += 1;
-    }
-    (index > start).then_some((name, index))
 }

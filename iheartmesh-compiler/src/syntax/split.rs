@@ -1,7 +1,8 @@
 //! The second pass: runs of letters become names, longest declared word first, in the scope of their item.
 
 use super::layout::lay_out;
-use super::lexer::{Lexed, Texts, letter, lex};
+use super::letters::letter;
+use super::lexer::{Lexed, Texts, lex};
 use super::names::{Collected, ItemNames, Names, collect, partial_name};
 use super::token::{Kind, Token};
 use super::{ImportedNames, builtin, suggest};
@@ -211,12 +212,17 @@ impl Splitter<'_> {
         while at < pieces.len() {
             let count = self.longest_word(item, &pieces[at..], longest);
             let digit = pieces[at].0.starts_with(|c: char| c.is_ascii_digit());
-            let name: String = pieces[at..at + count].iter().map(|p| p.0.as_str()).collect();
+            let name: String = pieces[at..at + count]
+                .iter()
+                .map(|p| p.0.as_str())
+                .collect();
             known &= count > 1 || digit || name == "I" || self.visible(item, &name).is_some();
             split.push((name, digit, at, count));
             at += count;
         }
-        let letters = pieces.iter().filter(|p| !p.0.starts_with(|c: char| c.is_ascii_digit()));
+        let letters = pieces
+            .iter()
+            .filter(|p| !p.0.starts_with(|c: char| c.is_ascii_digit()));
         if !known && letters.count() > 1 {
             if self.visible(item, &inverse).is_some() {
                 let id = self.texts.add(word);
@@ -291,7 +297,10 @@ impl Splitter<'_> {
         let names = item.keys().chain(self.module.keys()).map(String::as_str);
         let names = names.chain(builtin::ALWAYS.iter().copied());
         let help = match suggest::closest(word, names) {
-            _ if word == "not" => "there is no `not`; turn the relation round, as in `a ≤ b`".into(),
+            _ if word == "in" => "membership is written `∈` or `\\in`".into(),
+            _ if word == "not" => {
+                "there is no `not`; turn the relation round, as in `a ≤ b`".into()
+            }
             Some(name) => format!("did you mean `{name}`?"),
             None => "declare it, or separate the letters to multiply them".into(),
         };

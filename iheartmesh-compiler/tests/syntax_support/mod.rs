@@ -31,13 +31,20 @@ pub fn table(context: &str, rows: &str) -> String {
         let source = Source::file("test.hlang", format!("{context}\n{row}"));
         let (module, diagnostics) = parse(&source, SourceId(0), &NoImports);
         let tree = dump(&module);
-        let tree = tree.get(skipped..).unwrap_or("").trim_end().replace('\n', "\n      ");
+        let tree = tree
+            .get(skipped..)
+            .unwrap_or("")
+            .trim_end()
+            .replace('\n', "\n      ");
         let row = row.replace('\n', " NL ");
         shown += &match diagnostics.sorted().first() {
             None => format!("{row}\n   => {tree}\n"),
             Some(found) => {
                 let help = found.help.as_deref().unwrap_or("");
-                format!("{row}\n   {:?}: {}\n   = {help}\n", found.severity, found.message)
+                format!(
+                    "{row}\n   {:?}: {}\n   = {help}\n",
+                    found.severity, found.message
+                )
             }
         };
     }
@@ -51,8 +58,15 @@ pub fn corpus() -> Vec<(String, String)> {
     let mut texts: Vec<(String, String)> = entries
         .map(|entry| {
             let path = entry.expect("a readable directory").path();
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            (name, std::fs::read_to_string(path).expect("a readable file"))
+            let name = path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            (
+                name,
+                std::fs::read_to_string(path).expect("a readable file"),
+            )
         })
         .collect();
     texts.sort();

@@ -9,62 +9,92 @@ use crate::span::Span;
 
 impl Parser<'_> {
     /// An atom with its subscripts.
+    ///
+    /// The steps are functions of their own so that nested brackets need little of the stack.
     pub(super) fn atom(&mut self) -> Parsed<Expr> {
-        let token = self.token(0);
-        let start = self.span(token);
-        let base = match token.kind {
-            Kind::Name(id) => {
-                self.advance();
-                make(ExprKind::Name(self.name_of(id, start)), start)
-            }
-            Kind::Function(_) => match self.function()? {
-                (call, true) => call,
-                (done, false) => return Ok(done),
-            },
-            Kind::Unknown | Kind::Word(_) => return self.unknown(),
-            Kind::Integer(number @ (0 | 1)) if self.has_size() => return self.number_matrix(number == 1),
-            Kind::Ones => return self.number_matrix(true),
-            Kind::Integer(number) => return Ok(self.literal(ExprKind::Integer(number))),
-            Kind::Real(number) => return Ok(self.literal(ExprKind::Real(number))),
-            Kind::Pi => return Ok(self.literal(ExprKind::Pi)),
-            Kind::Infinity => return Ok(self.literal(ExprKind::Infinity)),
-            Kind::Empty => return Ok(self.literal(ExprKind::Set(Vec::new()))),
-            Kind::LeftParen => self.parentheses()?,
-            Kind::LeftBracket => self.matrix()?,
-            Kind::LeftBrace => self.set()?,
-            Kind::Piecewise => return self.misplaced("a piecewise value"),
-            Kind::Optimise(_) => return self.misplaced("an optimisation"),
-            Kind::Bar | Kind::DoubleBar => return self.norm(),
-            Kind::LeftAngle | Kind::Less => return self.inner(),
-            Kind::Hash => {
-                self.advance();
-                let operand = Box::new(self.nested(Self::atom)?);
-                let op = UnaryOp::Size;
-                return Ok(make(ExprKind::Unary { op, operand }, self.since(start)));
-            }
-            Kind::Minus => {
-                let help = "put the operand with its sign in parentheses, as in `(-b)`";
-                return self.expected("an operand", help);
-            }
-            _ => return self.expected("an operand", "write a name, a number or a bracket here"),
-        };
-        match self.subscripts()? {
-            Some(subscripts) => {
-                let base = Box::new(base);
-                let kind = ExprKind::Subscript { base, subscripts };
-                Ok(make(kind, self.since(start)))
-            }
-            None => Ok(base),
+        let start = self.here();
+        if let Some(literal) = self.literal() {
+            return Ok(literal);
+        }
+        match self.primary()? {
+            (base, true) => self.subscripted(base, start),
+            (whole, false) => Ok(whole),
         }
     }
 
-    fn literal(&mut self, kind: ExprKind) -> Expr {
-        let span = self.here();
-        self.advance();
-        make(kind, span)
+    fn subscripted(&mut self, base: Expr, start: Span) -> Parsed<Expr> {
+        let Some(subscripts) = self.subscripts()? else {
+            return Ok(base);
+        };
+        let base = Box::new(base);
+        let kind = ExprKind::Subscript { base, subscripts };
+        Ok(make(kind, self.since(start)))
     }
 
-    fn misplaced(&mut self, what: &str) -> Parsed<Expr> {
+    fn literal(&mut self) -> Option<Expr> {
+        let span = self.here();
+        let kind = match self.kind() {
+            Kind::Integer(0 | 1) if self.has_size() => return None,
+            Kind::Integer(number) => ExprKind::Integer(number),
+            Kind::Real(number) => ExprKind::Real(number),
+            Kind::Pi => ExprKind::Pi,
+            Kind::Infinity => ExprKind::Infinity,
+            Kind::Empty => ExprKind::Set(Vec::new()),
+            _ => return None,
+        };
+        self.advance();
+        Some(make(kind, span))
+    }
+
+    /// What is no literal; the second value says whether subscripts may follow.
+    fn primary(&mut self) -> Parsed<(Expr, bool)> {
+        let open = |expr| (expr, true);
+        let closed = |expr| (expr, false);
+        match self.kind() {
+            Kind::Name(_) => self.variable().map(open),
+            Kind::Function(_) => self.function(),
+            Kind::Unknown | Kind::Word(_) => self.unknown().map(closed),
+            Kind::Integer(number) => self.number_matrix(number == 1).map(closed),
+            Kind::Ones => self.number_matrix(true).map(closed),
+            Kind::LeftParen => self.parentheses().map(open),
+            Kind::LeftBracket => self.matrix().map(open),
+            Kind::LeftBrace => self.set().map(open),
+            Kind::Bar | Kind::DoubleBar => self.norm().map(closed),
+            Kind::LeftAngle | Kind::Less => self.inner().map(closed),
+            Kind::Hash => self.size().map(closed),
+            _ => self.no_operand(),
+        }
+    }
+
+    fn variable(&mut self) -> Parsed<Expr> {
+        let name = self.name("a name", "write a name")?;
+        let span = name.span;
+        Ok(make(ExprKind::Name(name), span))
+    }
+
+    fn size(&mut self) -> Parsed<Expr> {
+        let start = self.here();
+        self.advance();
+        let operand = Box::new(self.nested(Self::atom)?);
+        let op = UnaryOp::Size;
+        Ok(make(ExprKind::Unary { op, operand }, self.since(start)))
+    }
+
+    fn no_operand(&mut self) -> Parsed<(Expr, bool)> {
+        let first = self.at == 0 || self.tokens[self.at - 1].kind == Kind::Newline;
+        let help = match self.kind() {
+            Kind::Piecewise => return self.misplaced("a piecewise value"),
+            Kind::Optimise(_) => return self.misplaced("an optimisation"),
+            Kind::Minus => "put the operand with its sign in parentheses, as in `(-b)`",
+            kind if first && kind.continues() => {
+                "an expression goes on over a line break after an operator or in parentheses"
+            }
+            _ => "write a name, a number or a bracket here",
+        };
+        self.expected("an operand", help)
+    }
+
+    fn misplaced<T>(&mut self, what: &str) -> Parsed<T> {
         let span = self.here();
         let message = format!("{what} is no operand");
         let help = "make it the whole right-hand side of a definition of its own";
@@ -92,34 +122,14 @@ impl Parser<'_> {
     fn function(&mut self) -> Parsed<(Expr, bool)> {
         let start = self.here();
         let function = self.name("a function", "")?;
-        let mut subscripts = Vec::new();
-        for subscript in self.subscripts()?.unwrap_or_default() {
-            match subscript {
-                Subscript::Expr(expr) => subscripts.push(expr),
-                Subscript::All(span) => {
-                    let error = Diagnostic::error(span, "`*` is no argument of a function");
-                    return self.fail(error.help("write a name or a number"));
-                }
-            }
-        }
-        let power = self.power_before_arguments();
-        if let Some((exponent, length)) = power {
-            for _ in 0..length {
-                self.advance();
-            }
+        let subscripts = self.call_subscripts()?;
+        if let Some((exponent, length)) = self.power_before_arguments() {
+            self.at += length;
             let arguments = self.arguments()?;
             let call = self.call(function, subscripts, arguments, start);
-            let (left, right) = (Box::new(call), Box::new(exponent));
-            let op_span = right.span;
-            let op = BinaryOp::Power;
-            let kind = ExprKind::Binary {
-                op,
-                left,
-                right,
-                op_span,
-            };
-            self.grow(start)?;
-            return Ok((make(kind, self.since(start)), false));
+            return self
+                .raised_call(call, exponent, start)
+                .map(|expr| (expr, false));
         }
         if self.kind() == Kind::LeftParen {
             if self.tight(0) {
@@ -140,7 +150,42 @@ impl Parser<'_> {
         Ok((self.call(function, subscripts, Vec::new(), start), false))
     }
 
-    fn call(&self, function: Name, subscripts: Vec<Expr>, arguments: Vec<Expr>, start: Span) -> Expr {
+    fn call_subscripts(&mut self) -> Parsed<Vec<Expr>> {
+        let mut subscripts = Vec::new();
+        for subscript in self.subscripts()?.unwrap_or_default() {
+            match subscript {
+                Subscript::Expr(expr) => subscripts.push(expr),
+                Subscript::All(span) => {
+                    let error = Diagnostic::error(span, "`*` is no argument of a function");
+                    return self.fail(error.help("write a name or a number"));
+                }
+            }
+        }
+        Ok(subscripts)
+    }
+
+    /// `sin²(x)` is `(sin(x))²`.
+    fn raised_call(&mut self, call: Expr, exponent: Expr, start: Span) -> Parsed<Expr> {
+        self.grow(start)?;
+        let (left, right) = (Box::new(call), Box::new(exponent));
+        let op_span = right.span;
+        let op = BinaryOp::Power;
+        let kind = ExprKind::Binary {
+            op,
+            left,
+            right,
+            op_span,
+        };
+        Ok(make(kind, self.since(start)))
+    }
+
+    fn call(
+        &self,
+        function: Name,
+        subscripts: Vec<Expr>,
+        arguments: Vec<Expr>,
+        start: Span,
+    ) -> Expr {
         let kind = ExprKind::Call {
             function,
             subscripts,
@@ -178,7 +223,11 @@ impl Parser<'_> {
                 break;
             }
         }
-        self.expect(Kind::RightParen, "`,` or `)`", "close the list of arguments")?;
+        self.expect(
+            Kind::RightParen,
+            "`,` or `)`",
+            "close the list of arguments",
+        )?;
         Ok(arguments)
     }
 
@@ -190,7 +239,11 @@ impl Parser<'_> {
         while self.eat(Kind::Comma) {
             list.push(self.bracketed()?);
         }
-        self.expect(Kind::RightParen, "`)`", "close the parenthesis")?;
+        let help = match self.kind() {
+            Kind::In => "the index of a sum stands directly after `_`, as in `∑_(j ∈ S)`",
+            _ => "close the parenthesis",
+        };
+        self.expect(Kind::RightParen, "`)`", help)?;
         if list.is_empty() {
             return Ok(first);
         }
@@ -204,7 +257,9 @@ impl Parser<'_> {
             return Ok(None);
         }
         match self.kind() {
-            Kind::SubscriptNumber(_) | Kind::SubscriptLetter(_) => Ok(Some(self.small_subscripts())),
+            Kind::SubscriptNumber(_) | Kind::SubscriptLetter(_) => {
+                Ok(Some(self.small_subscripts()))
+            }
             Kind::Underscore => {
                 self.advance();
                 if self.kind() == Kind::LeftParen && self.tight(0) {
@@ -297,7 +352,10 @@ impl Parser<'_> {
     /// Whether `0` or `1` here is the matrix `0_n` or `1_n`.
     fn has_size(&mut self) -> bool {
         let next = self.token(1);
-        let small = matches!(next.kind, Kind::SubscriptNumber(_) | Kind::SubscriptLetter(_));
+        let small = matches!(
+            next.kind,
+            Kind::SubscriptNumber(_) | Kind::SubscriptLetter(_)
+        );
         !next.space && (small || next.kind == Kind::Underscore)
     }
 

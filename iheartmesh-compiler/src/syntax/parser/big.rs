@@ -65,7 +65,10 @@ impl Parser<'_> {
             };
             let definition = self.within(context, |parser| parser.definition(true))?;
             if definition.add {
-                let error = Diagnostic::error(definition.span, "`+=` adds to definitions of the module only");
+                let error = Diagnostic::error(
+                    definition.span,
+                    "`+=` adds to definitions of the module only",
+                );
                 self.report(error.help("write the whole sum in one definition"));
             }
             locals.push(definition);
@@ -266,7 +269,10 @@ impl Parser<'_> {
                 self.advance();
                 Ok((value, None))
             }
-            _ => self.expected("`if` or `otherwise`", "a branch is `value if condition` or `value otherwise`"),
+            _ => self.expected(
+                "`if` or `otherwise`",
+                "a branch is `value if condition` or `value otherwise`",
+            ),
         }
     }
 }

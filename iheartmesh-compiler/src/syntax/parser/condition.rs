@@ -1,13 +1,19 @@
 //! Conditions and sets.
 
-use super::super::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind};
+use super::super::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind, Name};
 use super::super::token::Kind;
 use super::expression::make;
 use super::{Context, Parsed, Parser};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
-fn both(kind: fn(Box<Condition>, Box<Condition>) -> ConditionKind, a: Condition, b: Condition) -> Condition {
+const BUILDER_HELP: &str = "a set is built as `{e for x ∈ S if condition}`";
+
+fn both(
+    kind: fn(Box<Condition>, Box<Condition>) -> ConditionKind,
+    a: Condition,
+    b: Condition,
+) -> Condition {
     let span = a.span.to(b.span);
     Condition {
         kind: kind(Box::new(a), Box::new(b)),
@@ -159,36 +165,24 @@ impl Parser<'_> {
                 let help = "write `for` or `|` before the variable";
                 self.expected("`for`", help)
             }
-            _ => {
-                let mut list = vec![element];
-                while self.eat(Kind::Comma) {
-                    list.push(self.expression()?);
-                }
-                let help = "a set is `{a, b}` or `{e for x ∈ S if condition}`";
-                self.expect(Kind::RightBrace, "`,` or `}`", help)?;
-                Ok(make(ExprKind::Set(list), self.since(start)))
-            }
+            _ => self.set_list(element, start),
         }
     }
 
-    fn builder(&mut self, element: Expr, start: Span, before_condition: Kind) -> Parsed<Expr> {
-        let help = "a set is built as `{e for x ∈ S if condition}`";
-        self.advance();
-        let mut variables = vec![self.name("a variable", help)?];
-        while matches!(self.kind(), Kind::Comma | Kind::Name(_) | Kind::Function(_)) {
-            self.eat(Kind::Comma);
-            variables.push(self.name("a variable", help)?);
+    fn set_list(&mut self, first: Expr, start: Span) -> Parsed<Expr> {
+        let mut list = vec![first];
+        while self.eat(Kind::Comma) {
+            list.push(self.expression()?);
         }
-        self.expect(Kind::In, "`∈`", help)?;
+        let help = "a set is `{a, b}` or `{e for x ∈ S if condition}`";
+        self.expect(Kind::RightBrace, "`,` or `}`", help)?;
+        Ok(make(ExprKind::Set(list), self.since(start)))
+    }
+
+    fn builder(&mut self, element: Expr, start: Span, before_condition: Kind) -> Parsed<Expr> {
+        let variables = self.builder_variables()?;
         let range = Box::new(self.expression()?);
-        let condition = match self.kind() == before_condition || self.kind() == Kind::If {
-            true => {
-                self.advance();
-                Some(Box::new(self.condition()?))
-            }
-            false => None,
-        };
-        self.expect(Kind::RightBrace, "`}`", help)?;
+        let condition = self.builder_condition(before_condition)?;
         let element = Box::new(element);
         let kind = ExprKind::Builder {
             element,
@@ -197,6 +191,30 @@ impl Parser<'_> {
             condition,
         };
         Ok(make(kind, self.since(start)))
+    }
+
+    fn builder_variables(&mut self) -> Parsed<Vec<Name>> {
+        self.advance();
+        let mut variables = vec![self.name("a variable", BUILDER_HELP)?];
+        while matches!(self.kind(), Kind::Comma | Kind::Name(_) | Kind::Function(_)) {
+            self.eat(Kind::Comma);
+            variables.push(self.name("a variable", BUILDER_HELP)?);
+        }
+        self.expect(Kind::In, "`∈`", BUILDER_HELP)?;
+        Ok(variables)
+    }
+
+    fn builder_condition(&mut self, before: Kind) -> Parsed<Option<Box<Condition>>> {
+        let conditional = self.kind() == before || self.kind() == Kind::If;
+        let condition = match conditional {
+            true => {
+                self.advance();
+                Some(Box::new(self.condition()?))
+            }
+            false => None,
+        };
+        self.expect(Kind::RightBrace, "`}`", BUILDER_HELP)?;
+        Ok(condition)
     }
 
     /// Whether the `|` here stands for `for` in a set builder: names and `∈` follow.

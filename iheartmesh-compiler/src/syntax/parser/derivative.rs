@@ -77,7 +77,10 @@ impl Parser<'_> {
         match order.filter(|order| (1..=64).contains(order)) {
             Some(order) => Ok(Some(order)),
             None => {
-                let error = Diagnostic::error(self.since(start), "the order of a derivative is a small number");
+                let error = Diagnostic::error(
+                    self.since(start),
+                    "the order of a derivative is a small number",
+                );
                 self.fail(error.help("write `∂²y/∂x²` for a second derivative"))
             }
         }

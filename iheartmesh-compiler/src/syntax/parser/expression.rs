@@ -33,7 +33,10 @@ fn binary(op: BinaryOp, left: Expr, right: Expr, op_span: Span) -> Expr {
 fn product(op: BinaryOp, mut left: Expr, right: Expr, op_span: Span) -> Expr {
     let implicit = op == BinaryOp::Solve && op_span.start == op_span.end;
     if implicit && let ExprKind::Unary { operand, .. } = left.kind {
-        left = Expr { span: left.span, ..*operand };
+        left = Expr {
+            span: left.span,
+            ..*operand
+        };
     }
     binary(op, left, right, op_span)
 }
@@ -191,6 +194,13 @@ impl Parser<'_> {
     /// Level 1c: `×`, `∘`, `⊗`, `:`, `\` and `A⁻¹ b`, which do not mix.
     fn products(&mut self) -> Parsed<Expr> {
         let first = self.prefix()?;
+        match self.product_operator() {
+            None => Ok(first),
+            Some(_) => self.product_chain(first),
+        }
+    }
+
+    fn product_chain(&mut self, first: Expr) -> Parsed<Expr> {
         let mut chain: Vec<(BinaryOp, Span, Expr)> = Vec::new();
         while let Some((op, written)) = self.product_operator() {
             let left = chain.last().map_or(first.span, |(_, _, right)| right.span);
@@ -268,7 +278,11 @@ impl Parser<'_> {
     /// Level 1a: an atom with its superscripts.
     pub(super) fn power(&mut self) -> Parsed<Expr> {
         let start = self.here();
-        let mut base = self.atom()?;
+        let base = self.atom()?;
+        self.postfixes(base, start)
+    }
+
+    fn postfixes(&mut self, mut base: Expr, start: Span) -> Parsed<Expr> {
         loop {
             let token = self.token(0);
             if token.space && (token.kind != Kind::Caret || self.context.cell) {

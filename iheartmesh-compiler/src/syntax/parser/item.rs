@@ -1,8 +1,9 @@
 //! Items: imports, parameters, functions, definitions.
 
 use super::super::ast::*;
+use super::super::import_names::import_name;
 use super::super::lexer::reserved;
-use super::super::names::{ItemNames, import_name};
+use super::super::names::ItemNames;
 use super::super::token::Kind;
 use super::expression::make;
 use super::{Context, Failed, Parsed, Parser};
@@ -39,12 +40,22 @@ impl Parser<'_> {
     /// Something follows an item that is complete.
     fn trailing(&mut self) {
         let help = match self.kind() {
-            Kind::Where | Kind::With => "`where` follows a function with parameters or directly a sum",
+            Kind::Where | Kind::With => {
+                "`where` follows a function with parameters or directly a sum"
+            }
             Kind::Otherwise | Kind::If => "a piecewise value begins with `{`",
             Kind::Less | Kind::LessOrEqual | Kind::Greater | Kind::GreaterOrEqual => {
                 "relations stand in conditions only"
             }
-            _ => "each item stands on a line of its own; use parentheses to go on over a line break",
+            Kind::Underscore => {
+                "all subscripts stand after one `_`, separated by commas, as in `x_i,1`"
+            }
+            Kind::Comma => {
+                "each declaration stands on a line of its own; between subscripts stands a comma without blanks"
+            }
+            _ => {
+                "each item stands on a line of its own; use parentheses to go on over a line break"
+            }
         };
         let _: Parsed<()> = self.expected("the end of the item", help);
     }
@@ -124,7 +135,10 @@ impl Parser<'_> {
             _ => String::new(),
         };
         let span = self.here();
-        let target = definition.targets.first().map_or("", |t| t.name.text.as_str());
+        let target = definition
+            .targets
+            .first()
+            .map_or("", |t| t.name.text.as_str());
         let error = if declares {
             let message = format!("local declaration `{local}` is not a parameter of `{target}`");
             let help = format!(
@@ -159,7 +173,11 @@ impl Parser<'_> {
                     break;
                 }
             }
-            self.expect(Kind::RightParen, "`,` or `)`", "close the list of arguments")?;
+            self.expect(
+                Kind::RightParen,
+                "`,` or `)`",
+                "close the list of arguments",
+            )?;
         }
         Ok(Import {
             names,
@@ -230,7 +248,11 @@ impl Parser<'_> {
                     let kind = self.ahead(index + comma);
                     let part = matches!(
                         kind,
-                        Kind::Name(_) | Kind::Function(_) | Kind::Integer(_) | Kind::Star | Kind::Unknown
+                        Kind::Name(_)
+                            | Kind::Function(_)
+                            | Kind::Integer(_)
+                            | Kind::Star
+                            | Kind::Unknown
                     );
                     if !part || !self.tight(index) {
                         break;
@@ -240,11 +262,9 @@ impl Parser<'_> {
             }
             match self.ahead(index) {
                 Kind::Comma => index += 1,
-                sign @ (Kind::Assign
-                | Kind::AddAssign
-                | Kind::In
-                | Kind::Colon
-                | Kind::Subset) => return Some(sign),
+                sign @ (Kind::Assign | Kind::AddAssign | Kind::In | Kind::Colon | Kind::Subset) => {
+                    return Some(sign);
+                }
                 _ => return None,
             }
         }
@@ -338,7 +358,11 @@ impl Parser<'_> {
             Kind::LeftParen => Some(self.parameter_names()?),
             _ => None,
         };
-        self.expect(Kind::Assign, "`=`", "a function is `f(x) = value where x ∈ …`")?;
+        self.expect(
+            Kind::Assign,
+            "`=`",
+            "a function is `f(x) = value where x ∈ …`",
+        )?;
         let body = match self.right_side() {
             Ok(body) => body,
             Err(Failed) => self.failed_value(false),

@@ -26,7 +26,9 @@ impl Parser<'_> {
             {
                 let span = row.iter().map(|cell| cell.span).reduce(|a, b| a.to(b));
                 let (found, wanted) = (row.len(), first.len());
-                let message = format!("this row has {found} cells, but the first row has {wanted}");
+                let cells = if found == 1 { "cell" } else { "cells" };
+                let message =
+                    format!("this row has {found} {cells}, but the first row has {wanted}");
                 let error = Diagnostic::error(span.unwrap_or(start), message);
                 self.report(error.help("blanks separate cells: put a sum or product in parentheses, or write it without blanks"));
                 return self.close_matrix(close, start);

@@ -15,7 +15,7 @@ use super::layout::{NONE, partners};
 use super::lexer::Texts;
 use super::split::{Prepared, prepare};
 use super::token::{Kind, TextId, Token};
-use super::{ImportedNames, MOST_ERRORS, MOST_NESTING, NoImports};
+use super::{ImportedNames, MOST_ERRORS, MOST_HEIGHT, MOST_NESTING, NoImports};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::span::{SourceId, Span};
 
@@ -297,9 +297,9 @@ impl Parser<'_> {
         let result = inner(self);
         self.depth -= 1;
         self.height += 1;
-        if result.is_ok() && self.height > MOST_NESTING {
+        if result.is_ok() && self.height > MOST_HEIGHT {
             self.height = outer;
-            return self.too_deep(span);
+            return self.too_high(span);
         }
         self.height = self.height.max(outer);
         result
@@ -308,10 +308,15 @@ impl Parser<'_> {
     /// The tree built so far in this scope becomes an operand: it grows by one.
     fn grow(&mut self, span: Span) -> Parsed<()> {
         self.height += 1;
-        match self.height > MOST_NESTING {
-            true => self.too_deep(span),
+        match self.height > MOST_HEIGHT {
+            true => self.too_high(span),
             false => Ok(()),
         }
+    }
+
+    fn too_high<T>(&mut self, span: Span) -> Parsed<T> {
+        let message = format!("more than {MOST_HEIGHT} operators follow one another here");
+        self.fail(Diagnostic::error(span, message).help("give parts of it names of their own"))
     }
 
     fn too_deep<T>(&mut self, span: Span) -> Parsed<T> {

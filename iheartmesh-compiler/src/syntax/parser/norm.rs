@@ -110,7 +110,9 @@ impl Parser<'_> {
                 Kind::Comma => comma = true,
                 Kind::Greater => return comma,
                 Kind::Newline | Kind::Row | Kind::Branch | Kind::Where | Kind::End => return false,
-                Kind::And | Kind::Or | Kind::If | Kind::In | Kind::Assign | Kind::Less => return false,
+                Kind::And | Kind::Or | Kind::If | Kind::In | Kind::Assign | Kind::Less => {
+                    return false;
+                }
                 Kind::RightParen | Kind::RightBracket | Kind::RightBrace => return false,
                 _ => {}
             }

@@ -10,7 +10,8 @@ use crate::span::Span;
 /// Most scalars in `{ℝ^3}`.
 const MOST_ITEMS: i64 = 64;
 
-const TYPE_HELP: &str = "types are ℝ, ℤ, ℝ^n, ℝ^(n×m), {T}, T × U, T → U, FaceMesh and the like, or the name of a set";
+const TYPE_HELP: &str =
+    "types are ℝ, ℤ, ℝ^n, ℝ^(n×m), {T}, T × U, T → U, FaceMesh and the like, or the name of a set";
 
 impl Parser<'_> {
     /// The type of a declaration.
@@ -220,7 +221,11 @@ impl Parser<'_> {
             }
             columns = Some(self.dimension()?);
         }
-        self.expect(Kind::RightParen, "`)`", "write `vector(n)` or `matrix(n, m)`")?;
+        self.expect(
+            Kind::RightParen,
+            "`)`",
+            "write `vector(n)` or `matrix(n, m)`",
+        )?;
         Ok(self.array(Number::Real, rows, columns))
     }
 
@@ -253,7 +258,8 @@ impl Parser<'_> {
         if let Some((number, count)) = self.repeated() {
             let span = self.here();
             if !(1..=MOST_ITEMS).contains(&count) {
-                let error = Diagnostic::error(span, format!("a tuple of {count} numbers is not supported"));
+                let error =
+                    Diagnostic::error(span, format!("a tuple of {count} numbers is not supported"));
                 return self.fail(error.help("write `{ℝ^(n)}` for a set of vectors"));
             }
             let length = 2 + (self.ahead(1) == Kind::Caret) as usize;

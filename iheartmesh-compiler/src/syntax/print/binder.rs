@@ -71,7 +71,10 @@ impl Printer {
         };
         let mut text = format!("{sign}_{head} {body}");
         if !locals.is_empty() {
-            let locals: Vec<String> = locals.iter().map(|node| self.definition(node, Tail::Term)).collect();
+            let locals: Vec<String> = locals
+                .iter()
+                .map(|node| self.definition(node, Tail::Term))
+                .collect();
             text += &format!(" where {}", locals.join(", "));
         }
         text
@@ -148,7 +151,9 @@ impl Printer {
         let element = self.inside(element);
         let range = self.inside(range);
         let member = self.sign('∈');
-        let test = condition.as_ref().map(|node| format!(" if {}", self.condition(node, 0)));
+        let test = condition
+            .as_ref()
+            .map(|node| format!(" if {}", self.condition(node, 0)));
         let (variables, test) = (self.names(variables), test.unwrap_or_default());
         format!("{{{element} for {variables} {member} {range}{test}}}")
     }
@@ -166,15 +171,24 @@ impl Printer {
         };
         let mut text = String::new();
         if !initial.is_empty() {
-            let initial: Vec<String> = initial.iter().map(|node| self.definition(node, Tail::Term)).collect();
+            let initial: Vec<String> = initial
+                .iter()
+                .map(|node| self.definition(node, Tail::Term))
+                .collect();
             text += &format!("with initial {}\n    ", initial.join("; "));
         }
-        let variables: Vec<String> = variables.iter().map(|node| self.declaration(node)).collect();
+        let variables: Vec<String> = variables
+            .iter()
+            .map(|node| self.declaration(node))
+            .collect();
         let kind = format!("{kind:?}").to_lowercase();
         let objective = self.show(objective, 0, Tail::Term);
         text += &format!("{kind}_({}) {objective}", variables.join(", "));
         if !constraints.is_empty() {
-            let tests: Vec<String> = constraints.iter().map(|node| self.condition(node, 0)).collect();
+            let tests: Vec<String> = constraints
+                .iter()
+                .map(|node| self.condition(node, 0))
+                .collect();
             text += &format!(" s.t. {}", tests.join("; "));
         }
         text
@@ -185,11 +199,19 @@ impl Printer {
         let bars = std::mem::replace(&mut self.bars, false);
         let text = match &node.kind {
             ConditionKind::Or(left, right) => {
-                let text = format!("{} or {}", self.condition(left, 0), self.condition(right, 1));
+                let text = format!(
+                    "{} or {}",
+                    self.condition(left, 0),
+                    self.condition(right, 1)
+                );
                 if least > 0 { format!("({text})") } else { text }
             }
             ConditionKind::And(left, right) => {
-                let text = format!("{} and {}", self.condition(left, 1), self.condition(right, 2));
+                let text = format!(
+                    "{} and {}",
+                    self.condition(left, 1),
+                    self.condition(right, 2)
+                );
                 if least > 1 { format!("({text})") } else { text }
             }
             ConditionKind::Compare { op, left, right } => {

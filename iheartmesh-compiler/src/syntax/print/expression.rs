@@ -104,7 +104,9 @@ impl Printer {
             ExprKind::Integral { .. } => self.integral(node),
             ExprKind::Derivative { .. } => self.derivative(node),
             ExprKind::Gradient { variable, operand } => {
-                let variable = variable.as_ref().map(|node| format!("_{}", self.inside(node)));
+                let variable = variable
+                    .as_ref()
+                    .map(|node| format!("_{}", self.inside(node)));
                 let sign = self.sign('∇') + &variable.unwrap_or_default();
                 format!("{sign} {}", self.show(operand, PREFIX, tail))
             }
@@ -263,7 +265,8 @@ impl Printer {
                 subscripts,
                 arguments,
             } => {
-                let subscripts: Vec<Subscript> = subscripts.iter().cloned().map(Subscript::Expr).collect();
+                let subscripts: Vec<Subscript> =
+                    subscripts.iter().cloned().map(Subscript::Expr).collect();
                 let mut text = self.name(function) + &self.subscripts(&subscripts);
                 if subscripts.is_empty() || !arguments.is_empty() {
                     text += &format!("({})", self.list(arguments));
@@ -277,7 +280,9 @@ impl Printer {
                 weight,
             } => {
                 let operands = format!("{}, {}", self.inside(left), self.inside(right));
-                let weight = weight.as_ref().map(|node| Subscript::Expr((**node).clone()));
+                let weight = weight
+                    .as_ref()
+                    .map(|node| Subscript::Expr((**node).clone()));
                 let weight = self.subscripts(weight.as_slice());
                 match self.ascii {
                     true => format!("<{operands}>{weight}"),
@@ -295,7 +300,9 @@ impl Printer {
                 columns,
             } => {
                 let sizes = std::iter::once(rows).chain(columns);
-                let sizes: Vec<Subscript> = sizes.map(|node| Subscript::Expr((**node).clone())).collect();
+                let sizes: Vec<Subscript> = sizes
+                    .map(|node| Subscript::Expr((**node).clone()))
+                    .collect();
                 let number = if *ones { "1" } else { "0" };
                 number.to_owned() + &self.subscripts(&sizes)
             }

@@ -9,7 +9,7 @@ mod visible;
 use std::collections::BTreeSet;
 
 use super::ast::*;
-use super::{lexer, spelling};
+use super::{letters, spelling};
 use expression::Tail;
 
 /// Which signs the text is written with.
@@ -85,13 +85,18 @@ impl Printer {
 
     fn name(&self, name: &Name) -> String {
         let text = name.text.as_str();
-        let single = lexer::letter(text).is_some_and(|(length, _)| length == text.len());
+        let single = letters::letter(text).is_some_and(|(length, _)| length == text.len());
         let known = || self.item.contains(text) || self.module.contains(text);
         let root = text.strip_suffix("⁻¹").unwrap_or(text);
-        if !single && !(is_word(root) && !is_keyword(text) && known()) {
+        let plain = single || is_word(root) && !is_keyword(text) && known();
+        if !plain {
             return format!("`{text}`");
         }
-        let text = if self.ascii { ascii_word(text) } else { text.to_owned() };
+        let text = if self.ascii {
+            ascii_word(text)
+        } else {
+            text.to_owned()
+        };
         match root.len() < name.text.len() && self.ascii {
             true => text.replace("⁻¹", "^-1"),
             false => text,
@@ -175,8 +180,13 @@ impl Printer {
         let declarations = node.declarations.iter();
         let declarations: Vec<String> = declarations.map(|node| self.declaration(node)).collect();
         let locals = node.locals.iter();
-        let locals: Vec<String> = locals.map(|node| self.definition(node, Tail::Term)).collect();
-        let described = node.declarations.iter().any(|node| node.description.is_some());
+        let locals: Vec<String> = locals
+            .map(|node| self.definition(node, Tail::Term))
+            .collect();
+        let described = node
+            .declarations
+            .iter()
+            .any(|node| node.description.is_some());
         let mut parts = Vec::new();
         match described {
             // A description takes the rest of the line, so it comes last.
@@ -212,7 +222,7 @@ fn is_word(text: &str) -> bool {
     let mut rest = text;
     while !rest.is_empty() {
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        let length = match lexer::letter(rest) {
+        let length = match letters::letter(rest) {
             Some((length, _)) => length,
             None if digits > 0 && rest.len() < text.len() => digits,
             None => return false,
@@ -225,8 +235,23 @@ fn is_word(text: &str) -> bool {
 fn is_keyword(text: &str) -> bool {
     matches!(
         text,
-        "where" | "given" | "with" | "for" | "if" | "otherwise" | "and" | "or" | "from" | "sum"
-            | "prod" | "int" | "argmin" | "argmax" | "subject" | "RR" | "ZZ"
+        "where"
+            | "given"
+            | "with"
+            | "for"
+            | "if"
+            | "otherwise"
+            | "and"
+            | "or"
+            | "from"
+            | "sum"
+            | "prod"
+            | "int"
+            | "argmin"
+            | "argmax"
+            | "subject"
+            | "RR"
+            | "ZZ"
     )
 }
 

@@ -96,7 +96,11 @@ impl Printer {
                 let rows = self.show(rows, 0, Tail::Term);
                 let columns = self.show(columns, 0, Tail::Term);
                 let narrow = if self.ascii { cross.as_str() } else { "×" };
-                format!("{}^({rows}{narrow}{columns}){}", self.number(*number), few(*sparse))
+                format!(
+                    "{}^({rows}{narrow}{columns}){}",
+                    self.number(*number),
+                    few(*sparse)
+                )
             }
             TypeKind::Set(parts) => {
                 // A bare integer exponent would make a set of tuples.

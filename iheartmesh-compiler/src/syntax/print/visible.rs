@@ -9,7 +9,10 @@ type Words = BTreeSet<String>;
 
 /// The words of a module: imports, parameters with the names in their types, definitions, functions.
 pub(super) fn module(module: &Module) -> Words {
-    let mut words: Words = builtin::ALWAYS.iter().map(|word| word.to_string()).collect();
+    let mut words: Words = builtin::ALWAYS
+        .iter()
+        .map(|word| word.to_string())
+        .collect();
     for item in &module.items {
         match &item.kind {
             ItemKind::Import(node) => {
@@ -18,7 +21,9 @@ pub(super) fn module(module: &Module) -> Words {
                     words.insert(name.text.clone());
                 }
             }
-            ItemKind::Parameters(list) => list.iter().for_each(|node| declaration(node, &mut words)),
+            ItemKind::Parameters(list) => {
+                list.iter().for_each(|node| declaration(node, &mut words))
+            }
             ItemKind::Function(node) => drop(words.insert(node.name.text.clone())),
             ItemKind::Definition(node) => left_sides(node, &mut words),
             ItemKind::Expression(_) => {}
@@ -34,7 +39,9 @@ pub(super) fn item(item: &Item) -> Words {
         ItemKind::Function(node) => {
             let parameters = node.parameters.iter().flatten().chain(&node.subscripts);
             words.extend(parameters.map(|name| name.text.clone()));
-            node.declarations.iter().for_each(|node| declaration(node, &mut words));
+            node.declarations
+                .iter()
+                .for_each(|node| declaration(node, &mut words));
             expr(&node.body, &mut words);
             node.locals.iter().for_each(|node| local(node, &mut words));
         }
@@ -72,7 +79,10 @@ fn ty(node: &Type, words: &mut Words) {
         TypeKind::Function {
             parameters,
             results,
-        } => parameters.iter().chain(results).for_each(|part| ty(part, words)),
+        } => parameters
+            .iter()
+            .chain(results)
+            .for_each(|part| ty(part, words)),
         TypeKind::Mapping { from, to } => {
             words.insert(from.text.clone());
             ty(to, words);
