@@ -23,7 +23,7 @@ mod suggest;
 mod token;
 
 pub use dump::dump;
-pub use export::export_names;
+pub use export::{export_names, export_names_with};
 pub use strip::strip_spans;
 
 use crate::diagnostic::Diagnostics;

@@ -19,6 +19,8 @@ pub(super) struct Prepared {
     pub errors: Vec<Diagnostic>,
     /// The items, with the ranges of their final tokens.
     pub items: Vec<ItemNames>,
+    /// Whether the module declares a name `T`.
+    pub names_t: bool,
 }
 
 struct Splitter<'a> {
@@ -69,6 +71,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         texts: splitter.texts,
         errors: splitter.errors,
         items,
+        names_t: module.contains_key("T"),
     }
 }
 

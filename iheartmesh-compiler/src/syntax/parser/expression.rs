@@ -336,8 +336,16 @@ impl Parser<'_> {
         match self.ahead(1) {
             Kind::Top => Some((UnaryOp::Transpose, 2)),
             Kind::Name(id) if self.texts.get(id) == "T" => {
-                let subscripted = self.ahead(2) == Kind::Underscore && self.tight(2);
-                (!subscripted).then_some((UnaryOp::Transpose, 2))
+                if self.ahead(2) == Kind::Underscore && self.tight(2) {
+                    return None;
+                }
+                if self.names_t {
+                    let span = self.here();
+                    let warning =
+                        Diagnostic::warning(span, "`^T` transposes, although `T` is a name");
+                    self.report(warning.help("write `ᵀ` to transpose, `^(T)` for the power"));
+                }
+                Some((UnaryOp::Transpose, 2))
             }
             _ => None,
         }

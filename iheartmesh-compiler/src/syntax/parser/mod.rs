@@ -13,6 +13,7 @@ mod types;
 use super::ast::{Import, ItemKind, Module, Name};
 use super::layout::{NONE, partners};
 use super::lexer::Texts;
+use super::names::ItemNames;
 use super::split::{Prepared, prepare};
 use super::token::{Kind, TextId, Token};
 use super::{ImportedNames, MOST_ERRORS, MOST_HEIGHT, MOST_NESTING, NoImports};
@@ -74,6 +75,8 @@ struct Parser<'a> {
     height: usize,
     /// The place after the last `⁻¹`; what follows it is solved for.
     after_inverse: usize,
+    /// Whether the module has a name `T`, which `^T` might be meant to be.
+    names_t: bool,
     diagnostics: Diagnostics,
     count: usize,
     steps: usize,
@@ -85,15 +88,37 @@ pub(super) fn parse(
     source: SourceId,
     imports: &dyn ImportedNames,
 ) -> (Module, Diagnostics, usize) {
-    let text = match u32::try_from(text.len()) {
-        Ok(_) => text,
-        Err(_) => "",
-    };
+    let (mut parser, items) = begin(text, source, imports);
+    let module = parser.module(&items);
+    (module, parser.diagnostics, parser.steps)
+}
+
+/// The imports of a text.
+pub(super) fn imports(text: &str, source: SourceId) -> Vec<Import> {
+    let (mut parser, mut items) = begin(text, source, &NoImports);
+    items.retain(|item| item.import);
+    let items = parser.module(&items).items.into_iter();
+    let imports = items.filter_map(|item| match item.kind {
+        ItemKind::Import(import) => Some(import),
+        _ => None,
+    });
+    imports.collect()
+}
+
+fn begin<'a>(
+    text: &'a str,
+    source: SourceId,
+    imports: &dyn ImportedNames,
+) -> (Parser<'a>, Vec<ItemNames>) {
+    // Places are counted in 32 bits.
+    let fits = u32::try_from(text.len()).is_ok();
+    let text = if fits { text } else { "" };
     let Prepared {
         tokens,
         texts,
         errors,
         items,
+        names_t,
     } = prepare(text, source, imports);
     let mut parser = Parser {
         text,
@@ -106,25 +131,20 @@ pub(super) fn parse(
         depth: 0,
         height: 0,
         after_inverse: usize::MAX,
+        names_t,
         diagnostics: Diagnostics::default(),
         count: 0,
         steps: 0,
     };
+    if !fits {
+        let span = Span::new(source, 0, 0);
+        let error = Diagnostic::error(span, "this text is larger than four gigabytes");
+        parser.report(error.help("split it into modules"));
+    }
     for error in errors {
         parser.report(error);
     }
-    let module = parser.module(&items);
-    (module, parser.diagnostics, parser.steps)
-}
-
-/// The imports of a text.
-pub(super) fn imports(text: &str, source: SourceId) -> Vec<Import> {
-    let (module, _, _) = parse(text, source, &NoImports);
-    let imports = module.items.into_iter().filter_map(|item| match item.kind {
-        ItemKind::Import(import) => Some(import),
-        _ => None,
-    });
-    imports.collect()
+    (parser, items)
 }
 
 impl Parser<'_> {
