@@ -1,6 +1,134 @@
 //! The compiler of I♥MESH: one plain library function for each stage.
+//!
+//! ```text
+//! source ──syntax──▶ tree ──resolve──▶ symbols ──check──▶ typed IR ──optimize──▶ staged IR ──emit──▶ Rust
+//! ```
+//!
+//! [`compile`] calls every stage in this order and does nothing else. It knows no mesh and no value: what runs is in the
+//! runtime crate, whose paths the generated code names.
 
+pub mod check;
 pub mod diagnostic;
+pub mod emit;
+pub mod ir;
+mod library;
+pub mod optimize;
+pub mod render;
+pub mod resolve;
 pub mod source;
 pub mod span;
 pub mod syntax;
+pub mod types;
+
+use std::rc::Rc;
+
+use proc_macro2::{Ident, TokenStream};
+
+pub use library::{Library, imported_modules};
+
+use diagnostic::Diagnostics;
+use optimize::{Optimizations, StagedProgram};
+use source::{Source, Sources};
+
+/// What is compiled, and how.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Name of the struct.
+    pub name: Ident,
+    /// Its visibility.
+    pub visibility: TokenStream,
+    /// Its attributes, the user's documentation among them.
+    pub attributes: TokenStream,
+    /// Path of the crate that generated code names.
+    pub krate: TokenStream,
+    /// The program.
+    pub source: Source,
+    /// Modules that it imports, and those that these import.
+    pub libraries: Vec<Library>,
+    /// Which optimisations are made.
+    pub optimizations: Optimizations,
+}
+
+/// What came of it.
+#[derive(Debug, Default)]
+pub struct Outcome {
+    /// The generated items; `None` when there are errors.
+    pub code: Option<TokenStream>,
+    /// All messages, warnings and notes among them.
+    pub diagnostics: Diagnostics,
+    /// The texts that the messages point into.
+    pub sources: Sources,
+}
+
+/// The program as every stage sees it.
+#[derive(Debug)]
+pub struct Stages {
+    /// The syntax tree.
+    pub syntax: Rc<syntax::ast::Module>,
+    /// What names stand for.
+    pub resolved: resolve::Resolved,
+    /// The typed program; `None` when there are errors before.
+    pub program: Option<ir::Program>,
+    /// The optimised program; `None` when there are errors before.
+    pub staged: Option<StagedProgram>,
+    /// All messages so far.
+    pub diagnostics: Diagnostics,
+    /// The texts that the messages point into.
+    pub sources: Sources,
+}
+
+/// Runs all stages up to the optimised program.
+pub fn stages(
+    name: &str,
+    source: Source,
+    libraries: &[Library],
+    optimizations: Optimizations,
+) -> Stages {
+    let mut sources = Sources::default();
+    let mut diagnostics = Diagnostics::default();
+    let parsed = library::parse_all(source, libraries, &mut sources, &mut diagnostics);
+    let resolved = resolve::resolve(
+        name,
+        Rc::clone(&parsed.main),
+        &parsed.libraries,
+        &mut diagnostics,
+    );
+    let program = check::check(&resolved, &mut diagnostics);
+    let correct = !diagnostics.has_errors();
+    let staged = correct.then(|| optimize::optimize(program.clone(), optimizations));
+    Stages {
+        syntax: parsed.main,
+        resolved,
+        program: correct.then_some(program),
+        staged,
+        diagnostics,
+        sources,
+    }
+}
+
+/// Compiles a program to Rust.
+pub fn compile(request: Request) -> Outcome {
+    let name = request.name.to_string();
+    let text = request.source.text.clone();
+    let mut stages = stages(
+        &name,
+        request.source,
+        &request.libraries,
+        request.optimizations,
+    );
+    let code = stages.staged.as_ref().map(|staged| {
+        let header = emit::rust::Header {
+            name: request.name,
+            visibility: request.visibility,
+            attributes: request.attributes,
+            krate: request.krate,
+            source: text,
+        };
+        emit::rust::emit(staged, &stages.sources, &header, &mut stages.diagnostics)
+    });
+    Outcome {
+        code: code.filter(|_| !stages.diagnostics.has_errors()),
+        diagnostics: stages.diagnostics,
+        sources: stages.sources,
+    }
+}

@@ -4,13 +4,14 @@
 
 use crate::collection::{Collection, Context, STANDARD};
 use crate::exports;
-use crate::invocation::{Invocation, Item, Use, parse};
+use crate::invocation::{Header, Invocation, Item, Use, parse};
 use crate::libraries::{self, Problem};
 use crate::module::{Module, Need, Reader, Route, fingerprint};
-use crate::report::{self, StandIn};
-use crate::stand_in::{Library, Outcome, Request, compile, imported_modules, render};
+use crate::report;
 use iheartmesh_compiler::diagnostic::{Diagnostic, Severity};
+use iheartmesh_compiler::render::render;
 use iheartmesh_compiler::source::Source;
+use iheartmesh_compiler::{Library, Outcome, Request, compile, imported_modules};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
@@ -26,11 +27,8 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let call = parse(user.clone());
     let of_call = modules(&call);
     let errors: TokenStream = call.errors.iter().map(report::call_error).collect();
-    let unread = call.unread.iter().map(|header| StandIn {
-        header,
-        borrows: true,
-    });
-    let failed = report::failed(&unread.collect::<Vec<_>>(), &errors);
+    let unread: Vec<&Header> = call.unread.iter().collect();
+    let failed = report::failed(&unread, &errors);
     let sources = call.items.iter().zip(&of_call);
     let sources = sources.map(|(item, module)| exports::source_macro(item, module, &of_call));
     let sources: TokenStream = sources.collect();
@@ -177,10 +175,7 @@ fn finish(
             Some(code) => output.extend(code.clone()),
             None => {
                 errors.extend(messages.errors(&failed));
-                stand_ins.push(StandIn {
-                    header: &item.header,
-                    borrows: report::borrows(&outcome.skeleton, &item.header),
-                });
+                stand_ins.push(&item.header);
             }
         }
     }
@@ -239,6 +234,7 @@ fn compiled(context: &Context, item: &Item, libraries: Vec<Library>) -> Outcome 
             krate: context.krate.clone(),
             source: item.body.source.clone(),
             libraries,
+            optimizations: header.optimizations,
         })
     };
     catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {

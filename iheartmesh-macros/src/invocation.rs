@@ -4,6 +4,8 @@
 
 use crate::body::{Body, flat};
 use crate::error::Error;
+use crate::switches;
+use iheartmesh_compiler::optimize::Optimizations;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 /// What a call says.
@@ -37,6 +39,8 @@ pub struct Header {
     pub visibility: TokenStream,
     /// The name of the struct.
     pub name: Ident,
+    /// What `#[without(…)]` leaves on.
+    pub optimizations: Optimizations,
 }
 
 /// `pub struct Name = r#"…"#;`
@@ -207,10 +211,12 @@ impl Reader {
             _ => return Err(self.expected("the name of the module")),
         };
         self.at += 1;
+        let (attributes, optimizations) = switches::take(attributes, &mut self.found.errors);
         let header = Header {
             attributes,
             visibility,
             name,
+            optimizations,
         };
         match self.rest(&header) {
             Ok(body) => {
@@ -238,6 +244,7 @@ impl Reader {
                         attributes: TokenStream::new(),
                         visibility,
                         name,
+                        optimizations: Optimizations::ALL,
                     });
                 }
                 Error::new(kind.span(), message).help(EXAMPLE)

@@ -25,7 +25,7 @@ mod libraries;
 mod literal;
 mod module;
 mod report;
-mod stand_in;
+mod switches;
 
 use proc_macro::TokenStream;
 

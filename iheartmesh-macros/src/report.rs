@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::error::Error;
 use crate::invocation::Header;
 use iheartmesh_compiler::diagnostic::{Diagnostic, Severity};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 /// An error marked at `span`.
@@ -52,14 +52,6 @@ pub fn diagnostic(body: &Body, own: bool, found: &Diagnostic, rendered: &str) ->
     }
 }
 
-/// An item that has errors.
-pub struct StandIn<'a> {
-    /// Its name and visibility.
-    pub header: &'a Header,
-    /// Whether users write `Name<'_>`.
-    pub borrows: bool,
-}
-
 /// Stands in for items that have errors, together with the errors.
 ///
 /// rustc is silent about a name that it cannot find in a module which holds a `compile_error!`, and about
@@ -70,20 +62,19 @@ pub struct StandIn<'a> {
 ///
 /// All items of a call share one such module, since an item may have no error of its own: what is wrong with it was
 /// said about another one.
-pub fn failed(stand_ins: &[StandIn], errors: &TokenStream) -> TokenStream {
+pub fn failed(stand_ins: &[&Header], errors: &TokenStream) -> TokenStream {
     let Some(first) = stand_ins.first() else {
         return errors.clone();
     };
-    let module = format_ident!("__ihm_errors_of_{}", first.header.name);
+    let module = format_ident!("__ihm_errors_of_{}", first.name);
     let aliases = stand_ins.iter().map(|stand_in| {
         let Header {
             visibility, name, ..
-        } = stand_in.header;
-        let generics = stand_in.borrows.then(|| quote!(<'a>));
+        } = stand_in;
         quote! {
             #[doc(hidden)]
             #[allow(dead_code, missing_docs, non_camel_case_types, private_interfaces, unreachable_pub)]
-            #visibility type #name #generics = #module::#name #generics;
+            #visibility type #name<'a> = #module::#name<'a>;
         }
     });
     quote! {
@@ -93,20 +84,5 @@ pub fn failed(stand_ins: &[StandIn], errors: &TokenStream) -> TokenStream {
             #errors
         }
         #(#aliases)*
-    }
-}
-
-/// Whether the struct that the compiler would have made borrows anything, so that users write `Name<'_>`.
-pub fn borrows(skeleton: &TokenStream, header: &Header) -> bool {
-    let tokens: Vec<TokenTree> = skeleton.clone().into_iter().collect();
-    let after = tokens
-        .iter()
-        .position(|t| matches!(t, TokenTree::Ident(i) if *i == header.name));
-    match after.and_then(|k| tokens.get(k + 1..)) {
-        Some([TokenTree::Punct(open), TokenTree::Punct(tick), ..]) => {
-            open.as_char() == '<' && tick.as_char() == '\''
-        }
-        Some(_) => false,
-        None => true,
     }
 }

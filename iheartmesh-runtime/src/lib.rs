@@ -20,16 +20,30 @@
 //! ```
 
 mod boundary;
+mod cellular;
 pub mod complex;
 mod element;
+mod error;
+#[doc(hidden)]
+pub mod generated;
 #[cfg(feature = "io")]
 pub mod io;
 mod mesh;
 mod set;
+mod values;
 
 pub use boundary::BoundaryMatrix;
+pub use cellular::CellularSet;
 pub use element::{
     Cell, Edge, Element, ElementKind, ElementSlice, ElementSliceIter, Elements, Face, Vertex,
 };
+pub use error::Error;
 pub use mesh::{FaceMesh, MeshError};
 pub use set::{Set, SetItem};
+pub use values::{OwnedOrBorrowed, Values};
+
+// the crates whose types stand in the interface of generated code
+pub use {glam, sprs};
+
+#[doc(hidden)]
+pub use generated as __private;

@@ -14,5 +14,5 @@ iheartmesh_macros::expand! {
     [::iheartmesh_runtime] [::iheartmesh_macros] [crate]
 
     /// Which elements of a face mesh touch which, and in which order.
-    pub struct Neighborhoods = include "src/neighborhoods.hlang";
+    pub struct Neighborhoods = include "src/Neighborhoods.hlang";
 }

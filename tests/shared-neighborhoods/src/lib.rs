@@ -32,7 +32,7 @@ pub mod rings {
             M : FaceMesh
             V, E, F = ElementSets(M)
             FirstRing(v) = Ring(v) where v ∈ V
-            SecondRing(v) = {k for j ∈ Ring(v), k ∈ Ring(j) if k ≠ v} - Ring(v) where v ∈ V
+            SecondRing(v) = (∪_(j ∈ Ring(v)) Ring(j)) - Ring(v) - {v} where v ∈ V
         "#;
     }
 }

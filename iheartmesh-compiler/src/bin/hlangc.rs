@@ -1,0 +1,200 @@
+//! `hlangc`: what a program becomes at each stage.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use iheartmesh_compiler::diagnostic::Diagnostics;
+use iheartmesh_compiler::optimize::{Optimizations, show};
+use iheartmesh_compiler::render::render;
+use iheartmesh_compiler::source::{Source, Sources};
+use iheartmesh_compiler::{
+    Library, Request, compile, imported_modules, ir, resolve, stages, syntax,
+};
+
+const USAGE: &str = "\
+usage: hlangc [--emit STAGE] [--without PASS]... [--library FOLDER]... FILE.hlang
+
+Compiles a program and prints what it is at a stage:
+  ast     the syntax tree
+  names   what each name stands for
+  types   the types of definitions and functions
+  ir      the typed program
+  plan    the optimised program: what is computed once per mesh, and what each time
+  rust    the generated Rust (the default)
+
+  --without PASS     leaves out an optimisation: traverse, inline, share, plan, fields, orbits, or all
+  --library FOLDER   looks for imported modules in FOLDER as well; the folder of the file and any
+                     `neighborhoods/src` above it or above the current folder are always looked at";
+
+struct Arguments {
+    emit: String,
+    optimizations: Optimizations,
+    folders: Vec<PathBuf>,
+    file: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let arguments = match arguments() {
+        Ok(Some(arguments)) => arguments,
+        Ok(None) => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        Err(message) => {
+            eprintln!("error: {message}\n\n{USAGE}");
+            return ExitCode::FAILURE;
+        }
+    };
+    match run(&arguments) {
+        Ok(text) => {
+            println!("{}", text.trim_end());
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            eprintln!("{}", message.trim_end());
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn arguments() -> Result<Option<Arguments>, String> {
+    use lexopt::prelude::*;
+    let mut parser = lexopt::Parser::from_env();
+    let mut emit = "rust".to_owned();
+    let mut optimizations = Optimizations::ALL;
+    let mut folders = Vec::new();
+    let mut file = None;
+    let text = |value: std::ffi::OsString| value.string().map_err(|e| e.to_string());
+    while let Some(argument) = parser.next().map_err(|e| e.to_string())? {
+        match argument {
+            Long("help") | Short('h') => return Ok(None),
+            Long("emit") => {
+                emit = text(parser.value().map_err(|e| e.to_string())?)?;
+                if !["ast", "names", "types", "ir", "plan", "rust"].contains(&emit.as_str()) {
+                    return Err(format!("there is no stage `{emit}`"));
+                }
+            }
+            Long("without") => {
+                let pass = text(parser.value().map_err(|e| e.to_string())?)?;
+                if pass == "all" {
+                    optimizations = Optimizations::NONE;
+                } else if !optimizations.set(&pass, false) {
+                    return Err(format!("there is no optimisation `{pass}`"));
+                }
+            }
+            Long("library") => folders.push(parser.value().map_err(|e| e.to_string())?.into()),
+            Value(value) if file.is_none() => file = Some(PathBuf::from(value)),
+            other => return Err(other.unexpected().to_string()),
+        }
+    }
+    match file {
+        Some(file) => Ok(Some(Arguments {
+            emit,
+            optimizations,
+            folders,
+            file,
+        })),
+        None => Err("no file is given".to_owned()),
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<String, String> {
+    let source = read(&arguments.file)?;
+    let libraries = libraries(&source, arguments)?;
+    let stem = arguments
+        .file
+        .file_stem()
+        .and_then(|s| s.to_str())
+        .unwrap_or("Module");
+    if arguments.emit == "rust" {
+        let name = stem
+            .split(|c: char| !c.is_alphanumeric())
+            .map(capitalised)
+            .collect::<String>();
+        let name = match name.starts_with(|c: char| c.is_alphabetic()) {
+            true => name,
+            false => "Module".to_owned(),
+        };
+        let outcome = compile(Request {
+            name: proc_macro2::Ident::new(&name, proc_macro2::Span::call_site()),
+            visibility: quote::quote!(pub),
+            attributes: quote::quote!(),
+            krate: quote::quote!(::iheartmesh),
+            source,
+            libraries,
+            optimizations: arguments.optimizations,
+        });
+        let messages = messages(&outcome.sources, &outcome.diagnostics);
+        let Some(code) = outcome.code else {
+            return Err(messages);
+        };
+        eprint!("{messages}");
+        let file = syn::parse2(code).map_err(|e| format!("bug in iheartmesh: {e}"))?;
+        return Ok(prettyplease::unparse(&file));
+    }
+    let stages = stages(stem, source, &libraries, arguments.optimizations);
+    let messages = messages(&stages.sources, &stages.diagnostics);
+    let text = match arguments.emit.as_str() {
+        "ast" => Some(syntax::dump(&stages.syntax)),
+        "names" => Some(resolve::dump(&stages.resolved)),
+        "types" => stages.program.as_ref().map(ir::types),
+        "ir" => stages.program.as_ref().map(ir::program),
+        _ => stages.staged.as_ref().map(show::staged),
+    };
+    match text {
+        Some(text) => {
+            eprint!("{messages}");
+            Ok(text)
+        }
+        None => Err(messages),
+    }
+}
+
+fn capitalised(word: &str) -> String {
+    let mut letters = word.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}
+
+fn messages(sources: &Sources, diagnostics: &Diagnostics) -> String {
+    diagnostics
+        .sorted()
+        .into_iter()
+        .map(|d| format!("{}\n", render(sources, d).trim_end()))
+        .collect()
+}
+
+fn read(file: &Path) -> Result<Source, String> {
+    match std::fs::read_to_string(file) {
+        Ok(text) => Ok(Source::file(file.display().to_string(), text)),
+        Err(error) => Err(format!("error: cannot read {}: {error}", file.display())),
+    }
+}
+
+/// All modules that a text imports, directly or through others.
+fn libraries(source: &Source, arguments: &Arguments) -> Result<Vec<Library>, String> {
+    let mut folders = arguments.folders.clone();
+    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+    folders.push(folder.to_owned());
+    for start in [folder, Path::new(".")] {
+        let absolute = std::path::absolute(start).unwrap_or_default();
+        folders.extend(absolute.ancestors().map(|a| a.join("neighborhoods/src")));
+    }
+    let mut found: Vec<Library> = Vec::new();
+    let mut open = imported_modules(source);
+    while let Some(name) = open.pop() {
+        if found.iter().any(|l| l.name == name) {
+            continue;
+        }
+        // what is not found is reported where it is imported
+        let candidates = folders.iter().map(|f| f.join(format!("{name}.hlang")));
+        if let Some(file) = candidates.into_iter().find(|f| f.is_file()) {
+            let source = read(&file)?;
+            open.extend(imported_modules(&source));
+            found.push(Library { name, source });
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,362 @@
+//! Functions of the built-in modules, and those that are always there.
+
+use super::Checker;
+use super::subscript::with_article;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Binary, Boundary, Elementary, ExprId, Fold, Kind, Range, Unary};
+use crate::resolve::symbols::count;
+use crate::span::Span;
+use crate::syntax::ast::{Expr, Name};
+use crate::types::{ELEMENT_KINDS, Element, ElementKind, MeshId, Type, mesh_dimension};
+
+fn elementary(name: &str) -> Option<Elementary> {
+    Some(match name {
+        "sin" => Elementary::Sin,
+        "cos" => Elementary::Cos,
+        "tan" => Elementary::Tan,
+        "cot" => Elementary::Cot,
+        "sec" => Elementary::Sec,
+        "csc" => Elementary::Csc,
+        "asin" | "arcsin" => Elementary::Asin,
+        "acos" | "arccos" => Elementary::Acos,
+        "atan" | "arctan" => Elementary::Atan,
+        "sinh" => Elementary::Sinh,
+        "cosh" => Elementary::Cosh,
+        "tanh" => Elementary::Tanh,
+        "asinh" | "arsinh" => Elementary::Asinh,
+        "acosh" | "arcosh" => Elementary::Acosh,
+        "atanh" | "artanh" => Elementary::Atanh,
+        "exp" => Elementary::Exp,
+        "log" | "ln" => Elementary::Ln,
+        "log_2" => Elementary::Log2,
+        "log_10" => Elementary::Log10,
+        _ => return None,
+    })
+}
+
+impl<'a> Checker<'a> {
+    /// A call of a built-in function by its name there.
+    pub(super) fn builtin(
+        &mut self,
+        span: Span,
+        name: &'a Name,
+        builtin: &str,
+        arguments: &[&'a Expr],
+    ) -> ExprId {
+        let values: Vec<ExprId> = arguments.iter().map(|a| self.expr(a)).collect();
+        if values.iter().any(|v| self.is_error(*v)) {
+            return self.error();
+        }
+        let call = Builtin {
+            span,
+            name,
+            arguments,
+            values: &values,
+        };
+        if let Some(function) = elementary(builtin) {
+            return self.elementary(&call, function);
+        }
+        match builtin {
+            "sqrt" => {
+                if !self.takes(&call, 1) {
+                    return self.error();
+                }
+                match self.ty(values[0]) {
+                    Type::Scalar(_) => {
+                        let value = self.real(values[0]);
+                        self.add(Kind::Unary(Unary::SquareRoot, value), Type::REAL)
+                    }
+                    _ => self.wrong(&call, 0, "a number"),
+                }
+            }
+            "atan2" => {
+                if !self.takes(&call, 2) {
+                    return self.error();
+                }
+                for (k, value) in values.iter().enumerate() {
+                    if !self.ty(*value).is_scalar() {
+                        return self.wrong(&call, k, "two numbers, `atan2(y, x)`");
+                    }
+                }
+                let (y, x) = (self.real(values[0]), self.real(values[1]));
+                self.add(Kind::Binary(Binary::Atan2, y, x), Type::REAL)
+            }
+            "min" | "max" => self.extremum(&call, builtin == "min"),
+            "tuple" => {
+                let types = values.iter().map(|v| self.ty(*v).clone()).collect();
+                self.add(Kind::Tuple(values.clone()), Type::Tuple(types))
+            }
+            "ElementSets" => self.element_sets(&call),
+            "BoundaryMatrices" => self.boundary_matrices(&call, true),
+            "UnsignedBoundaryMatrices" => self.boundary_matrices(&call, false),
+            "IndicatorVector" => {
+                if !self.takes(&call, 1) {
+                    return self.error();
+                }
+                match self.ty(values[0]).element_of_set() {
+                    Some(element) => {
+                        let ty = self.chain(element);
+                        self.add(Kind::Indicator(values[0]), ty)
+                    }
+                    None => self.wrong(&call, 0, "a set of elements of a mesh"),
+                }
+            }
+            "NonZeros" => {
+                if !self.takes(&call, 1) {
+                    return self.error();
+                }
+                match self.chain_space(values[0]) {
+                    Some(space) => self.add(
+                        Kind::NonZeros(values[0]),
+                        Type::set_of(Type::Element(space)),
+                    ),
+                    None => self.wrong(
+                        &call,
+                        0,
+                        "a chain: an indicator vector or its product with a boundary matrix",
+                    ),
+                }
+            }
+            "ValueSet" => {
+                if !self.takes(&call, 2) {
+                    return self.error();
+                }
+                match (self.chain_space(values[0]), self.ty(values[1])) {
+                    (None, _) => self.wrong(
+                        &call,
+                        0,
+                        "a chain: an indicator vector or its product with a boundary matrix",
+                    ),
+                    (Some(space), ty) if *ty == Type::INTEGER => self.add(
+                        Kind::ValueSet(values[0], values[1]),
+                        Type::set_of(Type::Element(space)),
+                    ),
+                    _ => self.wrong(&call, 1, "an integer"),
+                }
+            }
+            "vertexset" => self.tagged_set(&call, ElementKind::Vertex),
+            "edgeset" => self.tagged_set(&call, ElementKind::Edge),
+            "faceset" => self.tagged_set(&call, ElementKind::Face),
+            "cellset" => self.tagged_set(&call, ElementKind::Cell),
+            "CellularSet" => self.cellular_set(&call),
+            _ => self.unsupported(span, &format!("`{}` is", name.text)),
+        }
+    }
+
+    fn chain_space(&self, value: ExprId) -> Option<Element> {
+        match self.ty(value) {
+            Type::Vector { space, .. } => *space,
+            _ => None,
+        }
+    }
+
+    fn elementary(&mut self, call: &Builtin<'_, 'a>, function: Elementary) -> ExprId {
+        if !self.takes(call, 1) {
+            return self.error();
+        }
+        match self.ty(call.values[0]).clone() {
+            Type::Scalar(_) => {
+                let value = self.real(call.values[0]);
+                self.add(Kind::Unary(Unary::Apply(function), value), Type::REAL)
+            }
+            ty if ty.fixed_vector().is_some() => {
+                self.add(Kind::Unary(Unary::Apply(function), call.values[0]), ty)
+            }
+            _ => self.wrong(call, 0, "a number or a vector"),
+        }
+    }
+
+    fn extremum(&mut self, call: &Builtin<'_, 'a>, least: bool) -> ExprId {
+        let (binary, fold) = match least {
+            true => (Binary::Min, Fold::Min),
+            false => (Binary::Max, Fold::Max),
+        };
+        if let [value] = call.values {
+            let item = match self.ty(*value) {
+                Type::Set(item) if item.is_scalar() => (**item).clone(),
+                Type::Set(_) => return self.wrong(call, 0, "a set of numbers"),
+                _ => return self.unsupported(call.span, "the extremum of this is"),
+            };
+            let variable = self.program.arena.new_variable("x", item.clone());
+            let body = self.program.arena.variable(variable);
+            return self.add_at(
+                call.span,
+                Kind::Fold {
+                    op: fold,
+                    variable,
+                    range: Range::Set(*value),
+                    condition: None,
+                    body,
+                },
+                item,
+            );
+        }
+        let Some((&first, rest)) = call.values.split_first() else {
+            return self.wrong_count(call, "at least 1 argument");
+        };
+        for (k, value) in call.values.iter().enumerate() {
+            if !self.ty(*value).is_scalar() {
+                return self.wrong(call, k, "numbers, or one set of numbers");
+            }
+        }
+        rest.iter().fold(first, |a, &b| {
+            let (a, b) = self.common(a, b);
+            let ty = self.ty(a).clone();
+            self.add(Kind::Binary(binary, a, b), ty)
+        })
+    }
+
+    /// The mesh that the only argument is.
+    fn mesh_argument(&mut self, call: &Builtin<'_, 'a>) -> Option<(MeshId, usize)> {
+        if !self.takes(call, 1) {
+            return None;
+        }
+        match self.ty(call.values[0]) {
+            Type::Mesh(kind, mesh) => Some((*mesh, mesh_dimension(*kind))),
+            _ => {
+                self.wrong(call, 0, "a mesh");
+                None
+            }
+        }
+    }
+
+    fn element_sets(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        let Some((mesh, dimension)) = self.mesh_argument(call) else {
+            return self.error();
+        };
+        let mut sets = Vec::new();
+        let mut types = Vec::new();
+        for &kind in &ELEMENT_KINDS[..=dimension] {
+            let element = Element { kind, mesh };
+            let ty = Type::set_of(Type::Element(element));
+            sets.push(self.add(Kind::AllElements(element), ty.clone()));
+            types.push(ty);
+        }
+        self.add(Kind::Tuple(sets), Type::Tuple(types))
+    }
+
+    fn boundary_matrices(&mut self, call: &Builtin<'_, 'a>, signed: bool) -> ExprId {
+        let Some((mesh, dimension)) = self.mesh_argument(call) else {
+            return self.error();
+        };
+        let mut matrices = Vec::new();
+        let mut types = Vec::new();
+        for dimension in 1..=dimension as u8 {
+            let matrix = self.boundary(Boundary {
+                mesh,
+                dimension,
+                signed,
+                transposed: false,
+            });
+            matrices.push(matrix);
+            types.push(self.ty(matrix).clone());
+        }
+        if let [matrix] = matrices.as_slice() {
+            return *matrix;
+        }
+        self.add(Kind::Tuple(matrices), Type::Tuple(types))
+    }
+
+    fn tagged_set(&mut self, call: &Builtin<'_, 'a>, kind: ElementKind) -> ExprId {
+        if !self.takes(call, 1) {
+            return self.error();
+        }
+        match self.ty(call.values[0]).element_of_set() {
+            Some(element) if element.kind == kind => call.values[0],
+            Some(element) => {
+                let other = crate::types::display::plural(element.kind);
+                let name = &call.name.text;
+                let expected = crate::types::display::plural(kind);
+                let message =
+                    format!("`{name}` takes a set of {expected} but is given a set of {other}");
+                self.report(
+                    Diagnostic::error(call.arguments[0].span, message)
+                        .here(format!("this is a set of {other}"))
+                        .help("the kind of the elements follows from the boundary matrices; it cannot be changed"),
+                )
+            }
+            None if self.ty(call.values[0]) == &Type::set_of(Type::INTEGER) => {
+                self.unsupported(call.span, "turning integers into elements is")
+            }
+            None => self.wrong(call, 0, "a set of elements"),
+        }
+    }
+
+    fn cellular_set(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        if call.values.is_empty() || call.values.len() > 4 {
+            return self.wrong_count(call, "1 to 4 sets");
+        }
+        let mut mesh = None;
+        for (k, value) in call.values.iter().enumerate() {
+            let Some(element) = self.ty(*value).element_of_set() else {
+                // an empty literal has the kind of its place
+                if self.is_empty_set(*value) {
+                    continue;
+                }
+                return self.wrong(
+                    call,
+                    k,
+                    "sets of vertices, edges, faces and cells, in this order",
+                );
+            };
+            if element.kind != ELEMENT_KINDS[k] {
+                return self.wrong(
+                    call,
+                    k,
+                    "sets of vertices, edges, faces and cells, in this order",
+                );
+            }
+            if mesh.is_some_and(|m| m != element.mesh) {
+                return self.wrong(call, k, "sets of one mesh");
+            }
+            mesh = Some(element.mesh);
+        }
+        let Some(mesh) = mesh else {
+            return self.wrong(call, 0, "at least one set whose mesh is known");
+        };
+        let mut sets = Vec::new();
+        for (k, &kind) in ELEMENT_KINDS.iter().enumerate() {
+            let ty = Type::set_of(Type::Element(Element { kind, mesh }));
+            match call.values.get(k) {
+                Some(value) if !self.is_empty_set(*value) => sets.push(*value),
+                _ => sets.push(self.add(Kind::Set(Vec::new()), ty)),
+            }
+        }
+        self.add(Kind::Tuple(sets), Type::CellularSet(Some(mesh)))
+    }
+
+    fn takes(&mut self, call: &Builtin<'_, 'a>, n: usize) -> bool {
+        if call.values.len() == n {
+            return true;
+        }
+        self.wrong_count(call, &count(n, "argument"));
+        false
+    }
+
+    fn wrong_count(&mut self, call: &Builtin<'_, 'a>, takes: &str) -> ExprId {
+        let message = format!(
+            "`{}` takes {takes} but is given {}",
+            call.name.text,
+            call.values.len()
+        );
+        self.report(Diagnostic::error(call.span, message).help(format!("give it {takes}")))
+    }
+
+    fn wrong(&mut self, call: &Builtin<'_, 'a>, k: usize, takes: &str) -> ExprId {
+        let given = with_article(self.ty(call.values[k]));
+        let message = format!("`{}` takes {takes}, but is given {given}", call.name.text);
+        self.report(
+            Diagnostic::error(call.arguments[k].span, message)
+                .here(format!("this is {given}"))
+                .help(format!("give it {takes}")),
+        )
+    }
+}
+
+/// A call of a built-in function.
+struct Builtin<'c, 'a> {
+    span: Span,
+    name: &'a Name,
+    arguments: &'c [&'a Expr],
+    values: &'c [ExprId],
+}

@@ -1,0 +1,339 @@
+//! Types as they are written, and the inputs of a module.
+
+use super::Checker;
+use super::scope::Found;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Input, InputId, Kind, MeshInput};
+use crate::resolve::ModuleId;
+use crate::syntax::ast::{
+    self, BinaryOp, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind, UnaryOp,
+};
+use crate::types::{Atom, Dimension, MeshId, Type};
+
+/// A declared type with the set that its value must be a member or a part of.
+pub(super) struct Declared {
+    pub(super) ty: Type,
+    pub(super) within: Option<ExprId>,
+    pub(super) within_name: String,
+}
+
+impl Declared {
+    fn plain(ty: Type) -> Self {
+        Self {
+            ty,
+            within: None,
+            within_name: String::new(),
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// Declares the inputs of the compiled module, in order of the text. Meshes come first, so that element sets
+    /// can be used in the types of the others.
+    pub(super) fn declare_inputs(&mut self) {
+        let module = self.resolved.module(ModuleId(0));
+        let mut places = Vec::new();
+        for (item, syntax) in module.syntax.items.iter().enumerate() {
+            if let ItemKind::Parameters(block) = &syntax.kind {
+                for (d, declaration) in block.iter().enumerate() {
+                    for target in 0..declaration.targets.len() {
+                        places.push(((item, d, target), declaration));
+                    }
+                }
+            }
+        }
+        for (place, declaration) in &places {
+            if let TypeKind::Mesh(kind) = declaration.ty.kind {
+                let name = &declaration.targets[place.2].name;
+                self.program.meshes.push(MeshInput {
+                    name: name.text.clone(),
+                    kind,
+                });
+                let mesh = MeshId(self.program.meshes.len() as u32 - 1);
+                self.declare_input(*place, declaration, Declared::plain(Type::Mesh(kind, mesh)));
+            }
+        }
+        // an input may be declared as an element of another one, which may stand further down
+        for names_a_set in [false, true] {
+            for (place, declaration) in &places {
+                if matches!(declaration.ty.kind, TypeKind::Mesh(_))
+                    || names_a_set != matches!(declaration.ty.kind, TypeKind::Named(_))
+                {
+                    continue;
+                }
+                let declared = self.declared(declaration, place.2);
+                self.declare_input(*place, declaration, declared);
+            }
+        }
+        // back to the order of the text
+        let order: Vec<InputId> = places
+            .iter()
+            .filter_map(|(place, _)| {
+                match self.inputs.get(place).map(|e| self.program.arena.kind(*e)) {
+                    Some(Kind::Input(id)) => Some(*id),
+                    _ => None,
+                }
+            })
+            .collect();
+        self.program.input_order = order;
+    }
+
+    fn declare_input(
+        &mut self,
+        place: (usize, usize, usize),
+        declaration: &Declaration,
+        declared: Declared,
+    ) {
+        let target = &declaration.targets[place.2];
+        let id = InputId(self.program.inputs.len() as u32);
+        self.program.inputs.push(Input {
+            name: target.name.text.clone(),
+            ty: declared.ty.clone(),
+            within: declared.within,
+            indexed_by: Vec::new(),
+            description: declaration.description.clone(),
+            span: target.name.span,
+        });
+        let value = self.add(Kind::Input(id), declared.ty);
+        self.inputs.insert(place, value);
+    }
+
+    /// The type that a declaration gives to one of its targets.
+    pub(super) fn declared(&mut self, declaration: &Declaration, target: usize) -> Declared {
+        if let Some((_, span)) = declaration.attribute {
+            self.unsupported(span, "attributes of declarations are");
+            return Declared::plain(Type::Error);
+        }
+        if let TypeKind::Named(set) = &declaration.ty.kind {
+            return self.declared_by_set(declaration, set);
+        }
+        if declaration.relation == Relation::Subset {
+            let message = format!("`{}` is not a set", self.written(&declaration.ty));
+            self.report(
+                Diagnostic::error(declaration.ty.span, message)
+                    .help("after `⊂` stands the name of a set, such as `V`"),
+            );
+            return Declared::plain(Type::Error);
+        }
+        let ty = self.written_type(&declaration.ty);
+        let Some(letter) = &declaration.targets[target].subscript else {
+            return Declared::plain(ty);
+        };
+        let item = match ty {
+            Type::Sequence { .. } => {
+                self.unsupported(declaration.ty.span, "sequences of sequences are");
+                Type::Error
+            }
+            item => item,
+        };
+        Declared::plain(Type::Sequence {
+            item: Box::new(item),
+            length: Dimension::atom(Atom::Length(letter.text.clone())),
+            index: None,
+        })
+    }
+
+    fn declared_by_set(&mut self, declaration: &Declaration, set: &ast::Name) -> Declared {
+        let value = match self.find(set) {
+            Found::Value(value) => value,
+            Found::Error => return Declared::plain(Type::Error),
+            Found::Functions(_) | Found::Dimension => {
+                self.not_a_set(set, "something else");
+                return Declared::plain(Type::Error);
+            }
+        };
+        let ty = self.ty(value).clone();
+        let ty = match (&ty, declaration.relation) {
+            (Type::Error, _) => Type::Error,
+            (Type::Set(_), Relation::Subset) => ty,
+            (Type::Set(item), Relation::Member) => (**item).clone(),
+            (Type::Set(_), Relation::Colon) => {
+                self.report(
+                    Diagnostic::error(
+                        declaration.span,
+                        format!("`{}` is a set, not a type", set.text),
+                    )
+                    .label(set.span, format!("this is a {ty}"))
+                    .help(format!(
+                        "write `∈ {0}` for an element or `⊂ {0}` for a subset",
+                        set.text
+                    )),
+                );
+                Type::Error
+            }
+            (other, _) => {
+                let found = other.to_string();
+                self.not_a_set(set, &found);
+                Type::Error
+            }
+        };
+        Declared {
+            ty,
+            within: Some(value),
+            within_name: set.text.clone(),
+        }
+    }
+
+    fn not_a_set(&mut self, set: &ast::Name, found: &str) {
+        self.report(
+            Diagnostic::error(set.span, format!("`{}` is not a set", set.text))
+                .here(format!("this is {found}"))
+                .help("a symbol is declared as a member of a set or of a type such as `ℝ³`"),
+        );
+    }
+
+    fn written(&self, ty: &ast::Type) -> String {
+        match &ty.kind {
+            TypeKind::Mesh(kind) => kind.to_string(),
+            TypeKind::Scalar(ast::Number::Real) => "ℝ".to_owned(),
+            TypeKind::Scalar(ast::Number::Integer) => "ℤ".to_owned(),
+            _ => "this type".to_owned(),
+        }
+    }
+
+    /// A type as it is written.
+    pub(super) fn written_type(&mut self, ty: &ast::Type) -> Type {
+        match &ty.kind {
+            TypeKind::Scalar(number) => Type::Scalar(*number),
+            TypeKind::Vector {
+                number,
+                length,
+                sparse,
+            } => {
+                let length = self.dimension(length);
+                if length.value().is_none_or(|n| !(2..=4).contains(&n)) || *sparse {
+                    self.unsupported(ty.span, "vectors other than those of length 2, 3 or 4 are");
+                    return Type::Error;
+                }
+                if *number == ast::Number::Integer {
+                    self.unsupported(ty.span, "vectors of integers are");
+                    return Type::Error;
+                }
+                Type::Vector {
+                    number: *number,
+                    length,
+                    sparse: *sparse,
+                    space: None,
+                }
+            }
+            TypeKind::Matrix { .. } => {
+                self.unsupported(ty.span, "matrices are");
+                Type::Error
+            }
+            TypeKind::Set(items) => {
+                let mut items: Vec<Type> = items.iter().map(|t| self.written_type(t)).collect();
+                Type::set_of(if items.len() == 1 {
+                    items.remove(0)
+                } else {
+                    Type::Tuple(items)
+                })
+            }
+            TypeKind::SetOfAlternatives(_) => {
+                self.unsupported(ty.span, "sets of alternatives are");
+                Type::Error
+            }
+            TypeKind::Tuple(items) => {
+                Type::Tuple(items.iter().map(|t| self.written_type(t)).collect())
+            }
+            TypeKind::Function { .. } => {
+                self.unsupported(ty.span, "parameters that are functions are");
+                Type::Error
+            }
+            TypeKind::Mapping { from, to } => {
+                let item = self.written_type(to);
+                let element = match self.find(from) {
+                    Found::Value(value) => match (self.program.arena.kind(value), self.ty(value)) {
+                        (_, Type::Error) => return Type::Error,
+                        (Kind::AllElements(element), _) => Some(*element),
+                        _ => None,
+                    },
+                    Found::Error => return Type::Error,
+                    _ => None,
+                };
+                let Some(element) = element else {
+                    self.report(
+                        Diagnostic::error(
+                            from.span,
+                            format!("`{}` is not an element set of a mesh", from.text),
+                        )
+                        .help("write `x : V → T` with `V, E, F = ElementSets(M)`"),
+                    );
+                    return Type::Error;
+                };
+                Type::Sequence {
+                    item: Box::new(item),
+                    length: Dimension::atom(Atom::Count(element)),
+                    index: Some(element),
+                }
+            }
+            TypeKind::Mesh(kind) => {
+                self.report(
+                    Diagnostic::error(
+                        ty.span,
+                        format!("a {kind} can only be a parameter of the module"),
+                    )
+                    .help("declare it on a line of its own, as in `M : FaceMesh`"),
+                );
+                Type::Error
+            }
+            TypeKind::ElementSet(kind) => {
+                let Some(mesh) = self.only_mesh(ty.span) else {
+                    return Type::Error;
+                };
+                Type::set_of(Type::Element(crate::types::Element { kind: *kind, mesh }))
+            }
+            TypeKind::CellularSet => {
+                Type::CellularSet((self.program.meshes.len() == 1).then_some(MeshId(0)))
+            }
+            TypeKind::Named(name) => {
+                self.report(
+                    Diagnostic::error(name.span, format!("`{}` is not a type", name.text)).help(
+                        "types are ℝ, ℤ, ℝ³, {ℤ}, …; a set is named directly after `∈` or `⊂`",
+                    ),
+                );
+                Type::Error
+            }
+        }
+    }
+
+    /// The mesh of an element set that is declared by its kind alone.
+    fn only_mesh(&mut self, span: crate::span::Span) -> Option<MeshId> {
+        if self.program.meshes.len() == 1 {
+            return Some(MeshId(0));
+        }
+        self.report(
+            Diagnostic::error(span, "it is not known which mesh these elements belong to")
+                .help("write `S ⊂ V` with the `V` of `V, E, F = ElementSets(M)`"),
+        );
+        None
+    }
+
+    /// A size as it is written.
+    pub(super) fn dimension(&mut self, e: &Expr) -> Dimension {
+        let arithmetic = |a: Dimension, op: BinaryOp, b: Dimension| match op {
+            BinaryOp::Add => a.add(&b),
+            BinaryOp::Subtract => b.negate().and_then(|b| a.add(&b)),
+            BinaryOp::Juxtapose | BinaryOp::Dot => a.multiply(&b),
+            _ => None,
+        };
+        let dimension = match &e.kind {
+            ExprKind::Integer(value) => Some(Dimension::known(*value)),
+            ExprKind::Name(name) => Some(Dimension::atom(Atom::Symbol(name.text.clone()))),
+            ExprKind::Binary {
+                op, left, right, ..
+            } => {
+                let (left, right) = (self.dimension(left), self.dimension(right));
+                arithmetic(left, *op, right)
+            }
+            ExprKind::Unary {
+                op: UnaryOp::Negate,
+                operand,
+            } => self.dimension(operand).negate(),
+            _ => None,
+        };
+        dimension.unwrap_or_else(|| {
+            self.unsupported(e.span, "this way to write a size is");
+            Dimension::known(0)
+        })
+    }
+}

@@ -1,0 +1,160 @@
+//! Definitions without parameters, of a module and local ones.
+
+use super::{Checker, Definition};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Global, GlobalId, Kind};
+use crate::resolve::ModuleId;
+use crate::resolve::symbols::count;
+use crate::syntax::ast::{self, ItemKind};
+use crate::types::Type;
+
+impl<'a> Checker<'a> {
+    /// The values of the targets of a module's definition.
+    pub(super) fn definition(&mut self, module: ModuleId, item: usize) -> Vec<ExprId> {
+        let syntax = &self.resolved.module(module).syntax.items[item];
+        let ItemKind::Definition(definition) = &syntax.kind else {
+            return Vec::new();
+        };
+        match self.definitions.get(&(module, item)) {
+            Some(Definition::Done(values)) => return values.clone(),
+            Some(Definition::Open) => {
+                // the cycle has been reported when names were resolved
+                let error = self.error();
+                return vec![error; definition.targets.len()];
+            }
+            None => {}
+        }
+        self.definitions.insert((module, item), Definition::Open);
+        let mut values = self.in_module(module, |checker| checker.definition_values(definition));
+        for (value, target) in values.iter_mut().zip(&definition.targets) {
+            *value = self.named(&target.name.text, *value, syntax.span);
+        }
+        self.definitions
+            .insert((module, item), Definition::Done(values.clone()));
+        values
+    }
+
+    /// The value of a definition by its name, so that it is computed once; what costs nothing stays as it is.
+    fn named(&mut self, name: &str, value: ExprId, span: crate::span::Span) -> ExprId {
+        let costs_nothing = matches!(
+            self.program.arena.kind(value),
+            Kind::AllElements(_)
+                | Kind::Boundary(_)
+                | Kind::Integer(_)
+                | Kind::Real(_)
+                | Kind::Input(_)
+                | Kind::Global(_)
+                | Kind::Fail
+        );
+        if costs_nothing {
+            return value;
+        }
+        let ty = self.ty(value).clone();
+        self.program.globals.push(Global {
+            name: name.to_owned(),
+            value,
+            span,
+        });
+        let id = GlobalId(self.program.globals.len() as u32 - 1);
+        self.add(Kind::Global(id), ty)
+    }
+
+    /// The values of the left-hand sides of a definition.
+    pub(super) fn definition_values(&mut self, definition: &'a ast::Definition) -> Vec<ExprId> {
+        let n = definition.targets.len();
+        if definition.add {
+            let error = self.unsupported(definition.span, "definitions with `+=` are");
+            return vec![error; n];
+        }
+        if definition.targets.iter().any(|t| !t.subscripts.is_empty()) {
+            let error = self.unsupported(definition.span, "element-wise definitions are");
+            return vec![error; n];
+        }
+        let value = self.expr(&definition.value);
+        if n == 1 {
+            return vec![value];
+        }
+        self.destructure(definition, value)
+    }
+
+    /// Takes a tuple, set or vector apart.
+    fn destructure(&mut self, definition: &ast::Definition, value: ExprId) -> Vec<ExprId> {
+        let n = definition.targets.len();
+        let names: Vec<_> = definition
+            .targets
+            .iter()
+            .map(|t| format!("`{}`", t.name.text))
+            .collect();
+        let ty = self.ty(value).clone();
+        let span = definition.value.span;
+        let size = match &ty {
+            Type::Tuple(items) => Some(items.len() as i64),
+            Type::Vector { .. } => ty.fixed_vector(),
+            Type::Set(_) | Type::Sequence { .. } => None,
+            Type::Error => return vec![value; n],
+            other => {
+                let message = format!("cannot take {other} apart into {}", names.join(", "));
+                let error = self.report(
+                    Diagnostic::error(span, message)
+                        .here(format!("this is {other}"))
+                        .help("several names on the left need a tuple, a set or a vector on the right"),
+                );
+                return vec![error; n];
+            }
+        };
+        // a built-in function that gives one result for each kind of element may be taken in part
+        let may_be_part =
+            matches!(&ty, Type::Tuple(_)) && self.is_connectivity_call(&definition.value);
+        if let Some(size) = size
+            && size != n as i64
+            && !(may_be_part && n as i64 <= size)
+        {
+            let message = format!(
+                "{} on the left but {} on the right",
+                count(n, "name"),
+                count(size as usize, "value")
+            );
+            let error = self.report(
+                Diagnostic::error(definition.span, message)
+                    .label(span, format!("this is {ty}"))
+                    .help(format!("give {} on the left", count(size as usize, "name"))),
+            );
+            return vec![error; n];
+        }
+        let whole = match &ty {
+            Type::Set(_) => self.add_at(span, Kind::Sized(value, n as u32), ty.clone()),
+            _ => value,
+        };
+        (0..n)
+            .map(|k| {
+                let index = self.program.arena.integer(k as i64 + 1);
+                match &ty {
+                    Type::Tuple(items) => self.project(value, k, items[k].clone()),
+                    Type::Set(item) => {
+                        self.add_at(span, Kind::SetItem(whole, index), (**item).clone())
+                    }
+                    Type::Sequence { item, .. } => {
+                        self.add_at(span, Kind::Item(value, index), (**item).clone())
+                    }
+                    Type::Vector { number, .. } => {
+                        self.add(Kind::Component(value, index), Type::Scalar(*number))
+                    }
+                    _ => value,
+                }
+            })
+            .collect()
+    }
+
+    /// An item of a tuple, from 0.
+    pub(super) fn project(&mut self, tuple: ExprId, index: usize, ty: Type) -> ExprId {
+        if let Kind::Tuple(items) = self.program.arena.kind(tuple) {
+            return items[index];
+        }
+        self.add(Kind::Project(tuple, index as u32), ty)
+    }
+
+    fn is_connectivity_call(&self, value: &ast::Expr) -> bool {
+        matches!(&value.kind, ast::ExprKind::Call { function, .. }
+            if ["ElementSets", "BoundaryMatrices", "UnsignedBoundaryMatrices"].contains(&function.text.as_str()))
+    }
+}

@@ -1,0 +1,275 @@
+//! Functions: their signatures, their bodies, recursion.
+
+use super::Checker;
+use super::declare::Declared;
+use super::scope::{Binding, Scope};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Function, FunctionId, Kind, Parameter};
+use crate::resolve::ModuleId;
+use crate::syntax::ast::{self, ItemKind, Name};
+use crate::types::Type;
+
+/// What a call needs to know of a function before its body is checked.
+#[derive(Clone, Debug)]
+pub(super) struct Signature {
+    /// Types of the parameters, those in subscripts first.
+    pub(super) parameters: Vec<Type>,
+    /// How it is written, for messages: `Faces(v ∈ V)`.
+    pub(super) shown: String,
+    /// Where its name stands.
+    pub(super) span: crate::span::Span,
+}
+
+impl<'a> Checker<'a> {
+    fn function_syntax(&self, module: ModuleId, item: usize) -> Option<&'a ast::Function> {
+        match &self.resolved.module(module).syntax.items.get(item)?.kind {
+            ItemKind::Function(function) => Some(function),
+            _ => None,
+        }
+    }
+
+    /// The signature of a function.
+    pub(super) fn signature(&mut self, module: ModuleId, item: usize) -> Option<Signature> {
+        if let Some(signature) = self.signatures.get(&(module, item)) {
+            return Some(signature.clone());
+        }
+        let syntax = self.function_syntax(module, item)?;
+        let declared = self.in_module(module, |checker| checker.parameters(syntax));
+        let mut shown = Vec::new();
+        for (name, declared) in &declared {
+            shown.push(if declared.within_name.is_empty() {
+                format!("{} ∈ {}", name.text, declared.ty)
+            } else if matches!(declared.ty, Type::Set(_)) {
+                format!("{} ⊂ {}", name.text, declared.within_name)
+            } else {
+                format!("{} ∈ {}", name.text, declared.within_name)
+            });
+        }
+        let signature = Signature {
+            parameters: declared.iter().map(|(_, d)| d.ty.clone()).collect(),
+            shown: format!("{}({})", syntax.name.text, shown.join(", ")),
+            span: syntax.name.span,
+        };
+        self.signatures.insert((module, item), signature.clone());
+        Some(signature)
+    }
+
+    /// The parameters of a function with their declared types.
+    fn parameters(&mut self, syntax: &'a ast::Function) -> Vec<(&'a Name, Declared)> {
+        let names: Vec<&Name> = syntax
+            .subscripts
+            .iter()
+            .chain(syntax.parameters.iter().flatten())
+            .collect();
+        for declaration in &syntax.declarations {
+            for target in &declaration.targets {
+                if !names.iter().any(|n| n.text == target.name.text) {
+                    let message = format!(
+                        "`{}` is not a parameter of `{}`",
+                        target.name.text, syntax.name.text
+                    );
+                    self.report(
+                        Diagnostic::error(target.name.span, message)
+                            .label(syntax.name.span, "the function is defined here")
+                            .help("a parameter of the module is declared on a line of its own, without `where`"),
+                    );
+                }
+            }
+        }
+        names
+            .into_iter()
+            .map(|name| {
+                let place = syntax.declarations.iter().find_map(|declaration| {
+                    let target = declaration
+                        .targets
+                        .iter()
+                        .position(|t| t.name.text == name.text)?;
+                    Some((declaration, target))
+                });
+                let declared = match place {
+                    Some((declaration, target)) => self.declared(declaration, target),
+                    None => {
+                        self.report(
+                            Diagnostic::error(
+                                name.span,
+                                format!(
+                                    "parameter `{}` of `{}` has no type",
+                                    name.text, syntax.name.text
+                                ),
+                            )
+                            .help(format!(
+                                "declare it after the definition, as in `where {} ∈ ℝ`",
+                                name.text
+                            )),
+                        );
+                        Declared {
+                            ty: Type::Error,
+                            within: None,
+                            within_name: String::new(),
+                        }
+                    }
+                };
+                (name, declared)
+            })
+            .collect()
+    }
+
+    /// The function defined by an item; its body is checked when it is asked for the first time.
+    pub(super) fn function(&mut self, module: ModuleId, item: usize) -> FunctionId {
+        if let Some(&id) = self.functions.get(&(module, item)) {
+            return id;
+        }
+        let Some(syntax) = self.function_syntax(module, item) else {
+            panic!("bug in iheartmesh: item {item} is no function");
+        };
+        let span = self.resolved.module(module).syntax.items[item].span;
+        let id = FunctionId(self.program.functions.len() as u32);
+        self.functions.insert((module, item), id);
+        let error = self.error();
+        self.program.functions.push(Function {
+            name: syntax.name.text.clone(),
+            parameters: Vec::new(),
+            body: error,
+            ty: Type::Error,
+            recursive: false,
+            own: module == ModuleId(0),
+            span,
+        });
+        self.check_overloads(module, item);
+        self.in_module(module, |checker| checker.function_body(id, syntax));
+        id
+    }
+
+    fn function_body(&mut self, id: FunctionId, syntax: &'a ast::Function) {
+        let declared = {
+            // signature() reports the errors of the declarations
+            let before = self.diagnostics.clone();
+            let declared = self.parameters(syntax);
+            *self.diagnostics = before;
+            declared
+        };
+        let mut scope = Scope::default();
+        let mut parameters = Vec::new();
+        for (name, declared) in declared {
+            let variable = self.bind(&mut scope, name, declared.ty.clone());
+            parameters.push(Parameter {
+                name: name.text.clone(),
+                variable,
+                ty: declared.ty,
+                within: declared.within,
+                within_name: declared.within_name,
+            });
+        }
+        self.program.functions[id.0 as usize].parameters = parameters;
+        self.bind_locals(&mut scope, &syntax.locals);
+        let before = self.diagnostics.clone();
+        let mut body = self.with_scope(scope.clone(), |checker| checker.function_value(syntax));
+        if self.recursive.contains(&id) {
+            // the branches that do not recurse have given the type; check all of them with it
+            let ty = self.ty(body).clone();
+            if ty.is_error() {
+                if *self.diagnostics.sorted() == *before.sorted() {
+                    let message = format!("the type of `{}` cannot be found", syntax.name.text);
+                    self.report(
+                        Diagnostic::error(syntax.name.span, message)
+                            .help("at least one branch of its definition must not call it"),
+                    );
+                }
+            } else {
+                self.results.insert(id, ty);
+                *self.diagnostics = before;
+                body = self.with_scope(scope, |checker| checker.function_value(syntax));
+            }
+        }
+        let ty = self.ty(body).clone();
+        self.results.insert(id, ty.clone());
+        let function = &mut self.program.functions[id.0 as usize];
+        function.body = body;
+        function.ty = ty;
+    }
+
+    fn function_value(&mut self, syntax: &'a ast::Function) -> ExprId {
+        let body = self.expr(&syntax.body);
+        // a local definition that is not used is checked as well
+        for definition in &syntax.locals {
+            for target in &definition.targets {
+                let unused = self
+                    .scopes
+                    .last()
+                    .and_then(|s| s.names.get(&target.name.text))
+                    .is_some_and(|b| matches!(b, Binding::Local(..)));
+                if unused {
+                    self.find(&target.name);
+                }
+            }
+        }
+        body
+    }
+
+    /// The type of the result of a function that is called.
+    pub(super) fn result(&mut self, id: FunctionId) -> Type {
+        match self.results.get(&id).cloned() {
+            Some(ty) => {
+                if matches!(
+                    self.program.arena.kind(self.program.function(id).body),
+                    Kind::Fail
+                ) {
+                    self.note_recursion(id);
+                }
+                ty
+            }
+            None => {
+                self.note_recursion(id);
+                Type::Error
+            }
+        }
+    }
+
+    fn note_recursion(&mut self, id: FunctionId) {
+        if !self.recursive.contains(&id) {
+            self.recursive.push(id);
+        }
+    }
+
+    /// Two definitions of one name must differ in the types of their parameters.
+    fn check_overloads(&mut self, module: ModuleId, item: usize) {
+        let Some(syntax) = self.function_syntax(module, item) else {
+            return;
+        };
+        let Some(signature) = self.signature(module, item) else {
+            return;
+        };
+        let others: Vec<usize> = self
+            .resolved
+            .module(module)
+            .syntax
+            .items
+            .iter()
+            .enumerate()
+            .take(item)
+            .filter(|(_, other)| {
+                matches!(&other.kind, ItemKind::Function(f) if f.name.text == syntax.name.text)
+            })
+            .map(|(index, _)| index)
+            .collect();
+        for other in others {
+            let Some(other) = self.signature(module, other) else {
+                continue;
+            };
+            if other.parameters == signature.parameters
+                && !other.parameters.iter().any(Type::is_error)
+            {
+                let message = format!(
+                    "`{}` is defined twice with the same parameters",
+                    syntax.name.text
+                );
+                self.report(
+                    Diagnostic::error(signature.span, message)
+                        .here(signature.shown.clone())
+                        .label(other.span, other.shown)
+                        .help("overloads must differ in the types of their parameters"),
+                );
+            }
+        }
+    }
+}

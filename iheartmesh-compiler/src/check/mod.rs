@@ -1,0 +1,170 @@
+//! From symbols to the typed intermediate language.
+//!
+//! Checking is driven by demand: the compiled module is checked in full, of an imported module only what is used.
+//! An expression in error has the type [`Type::Error`], which agrees with everything, so that one cause gives one
+//! message. **Invariant:** when no error was reported, later stages meet no mistake of the user any more.
+
+mod builtin;
+mod call;
+mod condition;
+mod declare;
+mod define;
+mod expr;
+mod fold;
+mod function;
+mod operator;
+mod scope;
+mod set;
+mod subscript;
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind, Program};
+use crate::resolve::{ModuleId, Resolved};
+use crate::span::Span;
+use crate::syntax::ast::ItemKind;
+use crate::types::Type;
+
+use function::Signature;
+use scope::Scope;
+
+/// Checks the compiled module of `resolved` and what it uses of the others.
+pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
+    let mut checker = Checker {
+        resolved,
+        diagnostics,
+        program: Program::default(),
+        module: ModuleId(0),
+        scopes: Vec::new(),
+        inputs: BTreeMap::new(),
+        definitions: BTreeMap::new(),
+        functions: BTreeMap::new(),
+        signatures: BTreeMap::new(),
+        results: BTreeMap::new(),
+        recursive: Vec::new(),
+    };
+    checker.declare_inputs();
+    checker.module_items();
+    checker.program
+}
+
+/// What is known of a definition without parameters.
+#[derive(Clone, Debug)]
+enum Definition {
+    /// It is being checked.
+    Open,
+    /// The value of each target.
+    Done(Vec<ExprId>),
+}
+
+struct Checker<'a> {
+    resolved: &'a Resolved,
+    diagnostics: &'a mut Diagnostics,
+    program: Program,
+    /// The module instance that the current expression belongs to.
+    module: ModuleId,
+    scopes: Vec<Scope<'a>>,
+    /// Values of the inputs, by item, declaration and target.
+    inputs: BTreeMap<(usize, usize, usize), ExprId>,
+    definitions: BTreeMap<(ModuleId, usize), Definition>,
+    functions: BTreeMap<(ModuleId, usize), FunctionId>,
+    signatures: BTreeMap<(ModuleId, usize), Signature>,
+    /// Types of the results of the functions that are known so far.
+    results: BTreeMap<FunctionId, Type>,
+    /// Functions that have been called while they were being checked.
+    recursive: Vec<FunctionId>,
+}
+
+impl<'a> Checker<'a> {
+    fn report(&mut self, diagnostic: Diagnostic) -> ExprId {
+        self.diagnostics.push(diagnostic);
+        self.error()
+    }
+
+    /// An expression in error.
+    fn error(&mut self) -> ExprId {
+        self.program.arena.add(Kind::Fail, Type::Error)
+    }
+
+    fn unsupported(&mut self, span: Span, what: &str) -> ExprId {
+        self.report(
+            Diagnostic::error(span, format!("{what} not supported yet"))
+                .help("the language reference says what this version compiles"),
+        )
+    }
+
+    fn ty(&self, e: ExprId) -> &Type {
+        self.program.arena.ty(e)
+    }
+
+    fn is_error(&self, e: ExprId) -> bool {
+        self.ty(e).is_error()
+    }
+
+    fn add(&mut self, kind: Kind, ty: Type) -> ExprId {
+        self.program.arena.add(kind, ty)
+    }
+
+    /// Adds an expression that may fail at run time, noting where it stands for the message.
+    fn add_at(&mut self, span: Span, kind: Kind, ty: Type) -> ExprId {
+        let e = self.program.arena.add(kind, ty);
+        self.program.arena.note_origin(e, span);
+        e
+    }
+
+    /// Checks all items of the compiled module, in order of the text.
+    fn module_items(&mut self) {
+        let module = self.resolved.module(ModuleId(0));
+        let items = &module.syntax.items;
+        let last = items.len().saturating_sub(1);
+        for (index, item) in items.iter().enumerate() {
+            match &item.kind {
+                ItemKind::Import(_) | ItemKind::Parameters(_) => {}
+                ItemKind::Function(_) => {
+                    let function = self.function(ModuleId(0), index);
+                    self.program.exports.push(Export::Function(function));
+                }
+                ItemKind::Definition(definition) => {
+                    let values = self.definition(ModuleId(0), index);
+                    for (target, value) in definition.targets.iter().zip(values) {
+                        self.export_global(&target.name.text, value, item.span);
+                    }
+                }
+                ItemKind::Expression(expr) => {
+                    if index != last {
+                        self.report(
+                            Diagnostic::error(item.span, "the value of this expression is not used")
+                                .help("only the last expression of a module is its value `ret`; name this one"),
+                        );
+                        continue;
+                    }
+                    let value = self.expr(expr);
+                    self.export_global("ret", value, item.span);
+                }
+            }
+        }
+        for (index, function) in self.program.functions.iter_mut().enumerate() {
+            function.recursive |= self.recursive.contains(&FunctionId(index as u32));
+        }
+    }
+
+    fn export_global(&mut self, name: &str, value: ExprId, span: Span) {
+        let known = self
+            .program
+            .globals
+            .iter()
+            .position(|g| g.span == span && g.name == name);
+        let id = known.unwrap_or_else(|| {
+            self.program.globals.push(crate::ir::Global {
+                name: name.to_owned(),
+                value,
+                span,
+            });
+            self.program.globals.len() - 1
+        });
+        self.program
+            .exports
+            .push(Export::Global(GlobalId(id as u32)));
+    }
+}

@@ -1,0 +1,524 @@
+//! Operators: which operands they take and what they give.
+
+use super::Checker;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
+use crate::span::Span;
+use crate::syntax::ast::{BinaryOp, Expr, NormSubscript, UnaryOp};
+use crate::types::{Number, Type};
+
+impl<'a> Checker<'a> {
+    pub(super) fn unary(&mut self, e: &'a Expr, op: UnaryOp, operand: &'a Expr) -> ExprId {
+        let value = self.expr(operand);
+        let ty = self.ty(value).clone();
+        match (op, &ty) {
+            (_, Type::Error) => value,
+            (UnaryOp::Negate, Type::Scalar(_)) => self.negate(value),
+            (UnaryOp::Negate, Type::Vector { space: None, .. }) => self.negate(value),
+            (UnaryOp::SquareRoot, Type::Scalar(_)) => {
+                let value = self.real(value);
+                self.add(Kind::Unary(Unary::SquareRoot, value), Type::REAL)
+            }
+            (UnaryOp::Transpose, Type::Matrix { .. }) => {
+                if let Kind::Boundary(boundary) = self.program.arena.kind(value).clone() {
+                    return self.boundary(Boundary {
+                        transposed: !boundary.transposed,
+                        ..boundary
+                    });
+                }
+                self.unsupported(e.span, "this transpose is")
+            }
+            (UnaryOp::Inverse, Type::Scalar(_)) => {
+                let one = self.program.arena.real(1.0);
+                let value = self.real(value);
+                self.add(Kind::Binary(Binary::Divide, one, value), Type::REAL)
+            }
+            (UnaryOp::Transpose, Type::Vector { .. })
+            | (UnaryOp::Inverse | UnaryOp::PseudoInverse, Type::Matrix { .. }) => {
+                self.unsupported(e.span, "this operation of linear algebra is")
+            }
+            (UnaryOp::Size, Type::Set(_)) => self.add(Kind::Cardinality(value), Type::INTEGER),
+            (UnaryOp::Size, Type::Sequence { .. } | Type::Vector { .. }) => {
+                self.add(Kind::Length(value), Type::INTEGER)
+            }
+            _ => {
+                let (name, takes) = match op {
+                    UnaryOp::Negate => ("negate", "numbers, vectors and matrices"),
+                    UnaryOp::SquareRoot => ("take the square root of", "numbers"),
+                    UnaryOp::Transpose => ("transpose", "vectors and matrices"),
+                    UnaryOp::Inverse => ("invert", "numbers and square matrices"),
+                    UnaryOp::PseudoInverse => ("take the pseudo-inverse of", "matrices"),
+                    UnaryOp::Size => ("take the size of", "sets, sequences, vectors and matrices"),
+                };
+                self.report(
+                    Diagnostic::error(e.span, format!("cannot {name} {ty}"))
+                        .label(operand.span, format!("this is {ty}"))
+                        .help(format!("it is defined for {takes}")),
+                )
+            }
+        }
+    }
+
+    fn negate(&mut self, value: ExprId) -> ExprId {
+        let ty = self.ty(value).clone();
+        match self.program.arena.kind(value) {
+            Kind::Integer(v) => {
+                let v = -*v;
+                self.program.arena.integer(v)
+            }
+            Kind::Real(bits) => {
+                let v = -f64::from_bits(*bits);
+                self.program.arena.real(v)
+            }
+            _ => self.add(Kind::Unary(Unary::Negate, value), ty),
+        }
+    }
+
+    /// A boundary matrix as a value.
+    pub(super) fn boundary(&mut self, boundary: Boundary) -> ExprId {
+        let (rows, columns) = self.boundary_spaces(boundary);
+        let count = |element| crate::types::Dimension::atom(crate::types::Atom::Count(element));
+        let ty = Type::Matrix {
+            number: Number::Integer,
+            rows: count(rows),
+            columns: count(columns),
+            sparse: true,
+            spaces: Some((rows, columns)),
+        };
+        self.add(Kind::Boundary(boundary), ty)
+    }
+
+    /// What the rows and the columns of a boundary matrix stand for.
+    pub(super) fn boundary_spaces(
+        &self,
+        boundary: Boundary,
+    ) -> (crate::types::Element, crate::types::Element) {
+        let element = |dimension: u8| crate::types::Element {
+            kind: crate::types::ELEMENT_KINDS[dimension as usize],
+            mesh: boundary.mesh,
+        };
+        let (rows, columns) = (element(boundary.dimension - 1), element(boundary.dimension));
+        if boundary.transposed {
+            (columns, rows)
+        } else {
+            (rows, columns)
+        }
+    }
+
+    pub(super) fn binary(
+        &mut self,
+        e: &'a Expr,
+        op: BinaryOp,
+        left: &'a Expr,
+        right: &'a Expr,
+    ) -> ExprId {
+        let a = self.expr(left);
+        let b = self.expr(right);
+        if self.is_error(a) || self.is_error(b) {
+            return self.error();
+        }
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let sides = Sides { e, left, right };
+        match op {
+            BinaryOp::Add if matches!(ta, Type::Set(_)) => self.set_operation(sides, SetOp::Union, a, b),
+            BinaryOp::Subtract | BinaryOp::Solve if matches!(ta, Type::Set(_)) => {
+                self.set_operation(sides, SetOp::Difference, a, b)
+            }
+            BinaryOp::Union => self.set_operation(sides, SetOp::Union, a, b),
+            BinaryOp::Intersection => self.set_operation(sides, SetOp::Intersection, a, b),
+            BinaryOp::Add => self.sum(sides, Binary::Add, a, b),
+            BinaryOp::Subtract => self.sum(sides, Binary::Subtract, a, b),
+            BinaryOp::Juxtapose => self.product(sides, a, b, false),
+            BinaryOp::Dot => self.product(sides, a, b, true),
+            BinaryOp::Divide => match (&ta, &tb) {
+                (Type::Scalar(_) | Type::Vector { space: None, .. }, Type::Scalar(_)) => {
+                    let (a, b) = (self.real(a), self.real(b));
+                    if let (Kind::Real(x), Kind::Real(y)) =
+                        (self.program.arena.kind(a), self.program.arena.kind(b))
+                    {
+                        let quotient = f64::from_bits(*x) / f64::from_bits(*y);
+                        return self.program.arena.real(quotient);
+                    }
+                    let ty = self.ty(a).clone();
+                    self.add(Kind::Binary(Binary::Divide, a, b), ty)
+                }
+                _ => self.mismatch(sides, "divide", "by", &ta, &tb, "the right side of `/` is a number"),
+            },
+            BinaryOp::Power => match (&ta, &tb) {
+                (Type::Scalar(_), Type::Scalar(_)) => {
+                    let (a, b) = (self.real(a), self.real(b));
+                    self.add(Kind::Binary(Binary::Power, a, b), Type::REAL)
+                }
+                _ => self.mismatch(
+                    sides,
+                    "raise",
+                    "to the power",
+                    &ta,
+                    &tb,
+                    "powers are defined for numbers and square matrices; write `‖u‖²` or `u⋅u` for a vector `u`",
+                ),
+            },
+            BinaryOp::Cross => match (ta.fixed_vector(), tb.fixed_vector()) {
+                (Some(3), Some(3)) => self.add(Kind::Binary(Binary::Cross, a, b), Type::vector(3)),
+                _ => {
+                    let help = if ta.is_scalar() || tb.is_scalar() {
+                        "`×` is the cross product; numbers are multiplied by writing them side by side"
+                    } else {
+                        "the cross product is defined for two vectors of length 3"
+                    };
+                    self.mismatch(sides, "take the cross product of", "and", &ta, &tb, help)
+                }
+            },
+            BinaryOp::PlusMinus => self.unsupported(e.span, "`±` is"),
+            BinaryOp::Hadamard | BinaryOp::Kronecker | BinaryOp::Frobenius | BinaryOp::Solve => {
+                self.unsupported(e.span, "this product is")
+            }
+        }
+    }
+
+    fn mismatch(
+        &mut self,
+        sides: Sides<'a>,
+        verb: &str,
+        preposition: &str,
+        a: &Type,
+        b: &Type,
+        help: &str,
+    ) -> ExprId {
+        self.report(
+            Diagnostic::error(
+                sides.left.span,
+                format!("cannot {verb} {a} {preposition} {b}"),
+            )
+            .here(format!("this is {a}"))
+            .label(sides.right.span, format!("this is {b}"))
+            .help(help),
+        )
+    }
+
+    fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let (verb, preposition) = match op {
+            Binary::Add => ("add", "and"),
+            _ => ("subtract, from", "this:"),
+        };
+        match (&ta, &tb) {
+            (Type::Scalar(_), Type::Scalar(_)) => {
+                let (a, b) = self.common(a, b);
+                let ty = self.ty(a).clone();
+                self.add(Kind::Binary(op, a, b), ty)
+            }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if ta == tb => {
+                self.add(Kind::Binary(op, a, b), ta)
+            }
+            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+                sides,
+                verb,
+                preposition,
+                &ta,
+                &tb,
+                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+            ),
+            (Type::Scalar(_), Type::Vector { .. }) | (Type::Vector { .. }, Type::Scalar(_)) => self.mismatch(
+                sides,
+                verb,
+                preposition,
+                &ta,
+                &tb,
+                "a number and a vector have no sum; `‖u‖` is the length of a vector `u`",
+            ),
+            _ => self.mismatch(sides, verb, preposition, &ta, &tb, "both sides must have one type and size"),
+        }
+    }
+
+    fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        match (&ta, &tb) {
+            (Type::Scalar(_), Type::Scalar(_)) => {
+                let (a, b) = self.common(a, b);
+                let ty = self.ty(a).clone();
+                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
+            }
+            (Type::Scalar(_), Type::Vector { space: None, .. }) => {
+                let a = self.real(a);
+                self.add(Kind::Binary(Binary::Multiply, a, b), tb)
+            }
+            (Type::Vector { space: None, .. }, Type::Scalar(_)) => {
+                let b = self.real(b);
+                self.add(Kind::Binary(Binary::Multiply, b, a), ta)
+            }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot && ta == tb => {
+                self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL)
+            }
+            (Type::Vector { .. }, Type::Vector { .. }) if !dot => self.mismatch(
+                sides,
+                "multiply",
+                "and",
+                &ta,
+                &tb,
+                "write `u⋅v` for the dot product and `u × v` for the cross product",
+            ),
+            (
+                Type::Matrix {
+                    spaces: Some((_, columns)),
+                    ..
+                },
+                Type::Vector {
+                    space: Some(space), ..
+                },
+            ) => {
+                if columns.mesh != space.mesh {
+                    return self.owners(sides, *columns, *space);
+                }
+                if columns != space {
+                    return self.mismatch(
+                        sides,
+                        "multiply",
+                        "and",
+                        &ta,
+                        &tb,
+                        "the columns of the matrix and the entries of the chain must stand for the same elements",
+                    );
+                }
+                let Kind::Boundary(boundary) = self.program.arena.kind(a).clone() else {
+                    return self.unsupported(sides.left.span, "this product is");
+                };
+                self.apply(boundary, b)
+            }
+            (
+                Type::Matrix {
+                    spaces: Some((_, columns)),
+                    ..
+                },
+                Type::Matrix {
+                    spaces: Some((rows, _)),
+                    ..
+                },
+            ) => {
+                if columns.mesh != rows.mesh {
+                    return self.owners(sides, *columns, *rows);
+                }
+                let (left, right) = (sides.left.span, sides.right.span);
+                self.report(
+                    Diagnostic::error(left, "products of two boundary matrices are not supported yet")
+                        .label(right, format!("this is a {tb}"))
+                        .help("parenthesise the product of a matrix and a chain, as in `B (C δ)`"),
+                )
+            }
+            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+                sides,
+                "multiply",
+                "and",
+                &ta,
+                &tb,
+                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+            ),
+            _ => self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit"),
+        }
+    }
+
+    /// The product of a boundary matrix and a chain.
+    fn apply(&mut self, boundary: Boundary, chain: ExprId) -> ExprId {
+        let (rows, _) = self.boundary_spaces(boundary);
+        let ty = self.chain(rows);
+        self.add(Kind::Apply(boundary, chain), ty)
+    }
+
+    /// The type of chains of these elements.
+    pub(super) fn chain(&self, space: crate::types::Element) -> Type {
+        Type::Vector {
+            number: Number::Integer,
+            length: crate::types::Dimension::atom(crate::types::Atom::Count(space)),
+            sparse: true,
+            space: Some(space),
+        }
+    }
+
+    /// Values of two meshes that meet.
+    fn owners(
+        &mut self,
+        sides: Sides<'a>,
+        a: crate::types::Element,
+        b: crate::types::Element,
+    ) -> ExprId {
+        let (ma, mb) = (self.mesh_name(a.mesh), self.mesh_name(b.mesh));
+        self.report(
+            Diagnostic::error(
+                sides.e.span,
+                format!("elements of `{ma}` and of `{mb}` do not go together"),
+            )
+            .label(sides.left.span, format!("this is of `{ma}`"))
+            .label(sides.right.span, format!("this is of `{mb}`"))
+            .help("elements, sets and matrices of one expression must belong to one mesh"),
+        )
+    }
+
+    pub(super) fn mesh_name(&self, mesh: crate::types::MeshId) -> String {
+        self.program.mesh(mesh).name.clone()
+    }
+
+    fn set_operation(&mut self, sides: Sides<'a>, op: SetOp, a: ExprId, b: ExprId) -> ExprId {
+        let (mut ta, mut tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let (verb, preposition, sign) = match op {
+            SetOp::Union => ("unite", "and", "∪"),
+            SetOp::Intersection => ("intersect", "and", "∩"),
+            SetOp::Difference => ("subtract, from", "this:", "-"),
+        };
+        let (mut a, mut b) = (a, b);
+        // an empty literal takes the type of the other side
+        if self.is_empty_set(a) {
+            ta = tb.clone();
+            a = self.add(Kind::Set(Vec::new()), ta.clone());
+        } else if self.is_empty_set(b) {
+            tb = ta.clone();
+            b = self.add(Kind::Set(Vec::new()), tb.clone());
+        }
+        match (&ta, &tb) {
+            (Type::Set(x), Type::Set(y)) if x == y => self.add(Kind::SetOp(op, a, b), ta),
+            (Type::Set(x), Type::Set(y)) => match (&**x, &**y) {
+                (Type::Element(x), Type::Element(y)) if x.mesh != y.mesh => {
+                    self.owners(sides, *x, *y)
+                }
+                (Type::Element(_), Type::Element(_)) => self.mismatch(
+                    sides,
+                    verb,
+                    preposition,
+                    &ta,
+                    &tb,
+                    "vertices, edges, faces and cells are different kinds of elements",
+                ),
+                _ => self.mismatch(
+                    sides,
+                    verb,
+                    preposition,
+                    &ta,
+                    &tb,
+                    "both sets must have members of one type",
+                ),
+            },
+            (Type::Set(item), other) if **item == *other => {
+                let help = format!(
+                    "write `… {sign} {{{}}}` for the set with this one member",
+                    "a"
+                );
+                self.mismatch(sides, verb, preposition, &ta, &tb, &help)
+            }
+            _ => self.mismatch(
+                sides,
+                verb,
+                preposition,
+                &ta,
+                &tb,
+                "both sides must be sets",
+            ),
+        }
+    }
+
+    pub(super) fn norm(
+        &mut self,
+        e: &'a Expr,
+        double: bool,
+        operand: &'a Expr,
+        subscript: Option<&'a NormSubscript>,
+    ) -> ExprId {
+        let value = self.expr(operand);
+        let ty = self.ty(value).clone();
+        if ty.is_error() {
+            return value;
+        }
+        let two = match subscript {
+            None => true,
+            Some(NormSubscript::Expr(p)) => {
+                matches!(p.kind, crate::syntax::ast::ExprKind::Integer(2))
+            }
+            Some(_) => false,
+        };
+        match (&ty, double) {
+            (Type::Scalar(number), false) if subscript.is_none() => {
+                self.add(Kind::Unary(Unary::Absolute, value), Type::Scalar(*number))
+            }
+            (Type::Set(_), false) if subscript.is_none() => {
+                self.add(Kind::Cardinality(value), Type::INTEGER)
+            }
+            (Type::Sequence { .. }, false) if subscript.is_none() => {
+                self.add(Kind::Length(value), Type::INTEGER)
+            }
+            (Type::Vector { space: None, .. }, true) if two => {
+                self.add(Kind::Unary(Unary::Norm, value), Type::REAL)
+            }
+            (Type::Vector { space: None, .. }, true) | (Type::Matrix { .. }, _) => {
+                self.unsupported(e.span, "this norm is")
+            }
+            (Type::Vector { .. }, false) => self.bars(
+                e.span,
+                &ty,
+                operand.span,
+                "write `‖u‖` for the length of a vector",
+            ),
+            (Type::Scalar(_), true) => self.bars(
+                e.span,
+                &ty,
+                operand.span,
+                "write `|a|` for the absolute value of a number",
+            ),
+            (Type::Set(_), true) => self.bars(
+                e.span,
+                &ty,
+                operand.span,
+                "write `|S|` for the number of members of a set",
+            ),
+            _ => self.bars(
+                e.span,
+                &ty,
+                operand.span,
+                "bars are defined for numbers, vectors, matrices, sets and sequences",
+            ),
+        }
+    }
+
+    fn bars(&mut self, span: Span, ty: &Type, operand: Span, help: &str) -> ExprId {
+        self.report(
+            Diagnostic::error(span, format!("these bars are not defined for {ty}"))
+                .label(operand, format!("this is {ty}"))
+                .help(help),
+        )
+    }
+
+    pub(super) fn inner(
+        &mut self,
+        e: &'a Expr,
+        left: &'a Expr,
+        right: &'a Expr,
+        weight: Option<&'a Expr>,
+    ) -> ExprId {
+        if weight.is_some() {
+            return self.unsupported(e.span, "inner products with a weight are");
+        }
+        let a = self.expr(left);
+        let b = self.expr(right);
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        if ta.is_error() || tb.is_error() {
+            return self.error();
+        }
+        if ta == tb && matches!(ta, Type::Vector { space: None, .. }) {
+            return self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL);
+        }
+        let sides = Sides { e, left, right };
+        self.mismatch(
+            sides,
+            "take the inner product of",
+            "and",
+            &ta,
+            &tb,
+            "both sides must be vectors of one length",
+        )
+    }
+}
+
+/// An operator's expression with its operands, for messages.
+#[derive(Clone, Copy)]
+struct Sides<'a> {
+    e: &'a Expr,
+    left: &'a Expr,
+    right: &'a Expr,
+}

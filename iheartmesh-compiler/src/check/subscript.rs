@@ -1,0 +1,253 @@
+//! Subscripts.
+
+use super::Checker;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Kind};
+use crate::syntax::ast::{Expr, Subscript};
+use crate::types::{Element, Number, Type};
+
+impl<'a> Checker<'a> {
+    pub(super) fn subscript(
+        &mut self,
+        e: &'a Expr,
+        base: &'a Expr,
+        subscripts: &'a [Subscript],
+    ) -> ExprId {
+        let value = self.expr(base);
+        let ty = self.ty(value).clone();
+        if ty.is_error() {
+            return value;
+        }
+        let mut indices = Vec::new();
+        for subscript in subscripts {
+            match subscript {
+                Subscript::Expr(index) => indices.push((index, self.expr(index))),
+                Subscript::All(span) => return self.unsupported(*span, "slices are"),
+            }
+        }
+        if indices.iter().any(|(_, i)| self.is_error(*i)) {
+            return self.error();
+        }
+        let takes = match &ty {
+            Type::Matrix { .. } => 2,
+            Type::Sequence { item, .. } => match &**item {
+                Type::Vector { .. } if indices.len() == 2 => 2,
+                _ => 1,
+            },
+            Type::Vector { .. } | Type::Set(_) | Type::Tuple(_) | Type::CellularSet(_) => 1,
+            other => {
+                return self.report(
+                    Diagnostic::error(e.span, format!("{other} takes no subscript"))
+                        .label(base.span, format!("this is {other}"))
+                        .help("subscripts index vectors, matrices, sequences, sets and tuples, and call functions"),
+                );
+            }
+        };
+        if indices.len() != takes {
+            return self.report(
+                Diagnostic::error(
+                    e.span,
+                    format!(
+                        "{ty} takes {} but is given {}",
+                        n_subscripts(takes),
+                        indices.len()
+                    ),
+                )
+                .label(base.span, format!("this is {ty}"))
+                .help("subscripts are separated by commas without spaces, as in `A_i,j`"),
+            );
+        }
+        match ty {
+            Type::Matrix {
+                spaces: Some((rows, columns)),
+                ..
+            } => {
+                let Kind::Boundary(boundary) = self.program.arena.kind(value).clone() else {
+                    return self.unsupported(e.span, "this subscript is");
+                };
+                let (row, column) = (indices[0], indices[1]);
+                if !self.is_index_of(row, rows, base) || !self.is_index_of(column, columns, base) {
+                    return self.error();
+                }
+                self.add(Kind::Entry(boundary, row.1, column.1), Type::INTEGER)
+            }
+            Type::Matrix { .. } => self.unsupported(e.span, "matrices are"),
+            Type::Sequence { item, index, .. } => {
+                if let Some(element) = index {
+                    if !self.is_index_of(indices[0], element, base) {
+                        return self.error();
+                    }
+                } else if !self.is_index(indices[0]) {
+                    return self.error();
+                }
+                self.note_indexed_by(value, indices[0].1);
+                let item = *item;
+                let found = self.add_at(e.span, Kind::Item(value, indices[0].1), item.clone());
+                match (indices.get(1), &item) {
+                    (Some(second), Type::Vector { number, .. }) => {
+                        let (second, number) = (*second, *number);
+                        self.component(e, found, second, number)
+                    }
+                    _ => found,
+                }
+            }
+            Type::Vector { number, .. } => self.component(e, value, indices[0], number),
+            Type::Set(item) => {
+                if !self.is_integer(indices[0], "a set") {
+                    return self.error();
+                }
+                self.add_at(e.span, Kind::SetItem(value, indices[0].1), *item)
+            }
+            Type::Tuple(items) => self.tuple_item(value, indices[0], &items),
+            Type::CellularSet(mesh) => {
+                let Some(mesh) = mesh else {
+                    return self.unsupported(e.span, "cellular sets of an unknown mesh are");
+                };
+                let items: Vec<Type> = crate::types::ELEMENT_KINDS
+                    .iter()
+                    .map(|&kind| Type::set_of(Type::Element(Element { kind, mesh })))
+                    .collect();
+                self.tuple_item(value, indices[0], &items)
+            }
+            _ => self.error(),
+        }
+    }
+
+    fn tuple_item(&mut self, value: ExprId, index: (&'a Expr, ExprId), items: &[Type]) -> ExprId {
+        let n = items.len();
+        match self.program.arena.kind(index.1) {
+            Kind::Integer(k) if *k >= 1 && *k <= n as i64 => {
+                let k = *k as usize - 1;
+                self.project(value, k, items[k].clone())
+            }
+            _ => self.report(
+                Diagnostic::error(
+                    index.0.span,
+                    "an item of a tuple is chosen by a number that stands in the text",
+                )
+                .help(format!("write a number from 1 to {n}")),
+            ),
+        }
+    }
+
+    fn component(
+        &mut self,
+        e: &Expr,
+        vector: ExprId,
+        index: (&'a Expr, ExprId),
+        number: Number,
+    ) -> ExprId {
+        if !self.is_integer(index, "a vector") {
+            return self.error();
+        }
+        let length = self.ty(vector).fixed_vector();
+        if let (Kind::Integer(k), Some(n)) = (self.program.arena.kind(index.1), length)
+            && (*k < 1 || *k > n)
+        {
+            let message = format!("a vector of length {n} has no entry {k}");
+            return self.report(
+                Diagnostic::error(index.0.span, message)
+                    .help(format!("entries are numbered from 1 to {n}")),
+            );
+        }
+        self.add_at(
+            e.span,
+            Kind::Component(vector, index.1),
+            Type::Scalar(number),
+        )
+    }
+
+    fn is_integer(&mut self, index: (&'a Expr, ExprId), what: &str) -> bool {
+        let ty = self.ty(index.1).clone();
+        if ty == Type::INTEGER {
+            return true;
+        }
+        self.report(
+            Diagnostic::error(index.0.span, format!("{ty} cannot index {what}"))
+                .here(format!("this is {ty}"))
+                .help("the entries are numbered by integers, from 1"),
+        );
+        false
+    }
+
+    fn is_index(&mut self, index: (&'a Expr, ExprId)) -> bool {
+        let ty = self.ty(index.1).clone();
+        if ty == Type::INTEGER || ty.is_element() {
+            return true;
+        }
+        self.report(
+            Diagnostic::error(index.0.span, format!("{ty} cannot index a sequence"))
+                .here(format!("this is {ty}"))
+                .help("a sequence is indexed by integers, from 1, or by elements of a mesh"),
+        );
+        false
+    }
+
+    /// Whether an index is an element of the kind and mesh that index this.
+    fn is_index_of(&mut self, index: (&'a Expr, ExprId), element: Element, base: &Expr) -> bool {
+        let ty = self.ty(index.1).clone();
+        let expected = Type::Element(element);
+        if ty == expected {
+            return true;
+        }
+        let diagnostic = match &ty {
+            Type::Element(other) if other.kind == element.kind => {
+                let (here, there) = (self.mesh_name(other.mesh), self.mesh_name(element.mesh));
+                Diagnostic::error(
+                    index.0.span,
+                    format!("an element of `{here}` indexes what belongs to `{there}`"),
+                )
+                .here(format!("this is a {expected} of `{here}`"))
+                .label(
+                    base.span,
+                    format!("this is indexed by the {expected} of `{there}`"),
+                )
+                .help("elements, sets and matrices of one expression must belong to one mesh")
+            }
+            _ => Diagnostic::error(
+                index.0.span,
+                format!(
+                    "{} indexes what is indexed by {}",
+                    with_article(&ty),
+                    with_article(&expected)
+                ),
+            )
+            .here(format!("this is {}", with_article(&ty)))
+            .label(
+                base.span,
+                format!("its index here is {}", with_article(&expected)),
+            )
+            .help(format!("use {} as the index", with_article(&expected))),
+        };
+        self.report(diagnostic);
+        false
+    }
+
+    /// Notes that an input is indexed by elements, so that its length can be checked once.
+    fn note_indexed_by(&mut self, sequence: ExprId, index: ExprId) {
+        if let (Kind::Input(input), Type::Element(element)) = (
+            self.program.arena.kind(sequence).clone(),
+            self.ty(index).clone(),
+        ) {
+            let list = &mut self.program.inputs[input.0 as usize].indexed_by;
+            if !list.contains(&element) {
+                list.push(element);
+            }
+        }
+    }
+}
+
+fn n_subscripts(n: usize) -> String {
+    crate::resolve::symbols::count(n, "subscript")
+}
+
+/// `a vertex`, `an edge`, `ℝ³`.
+pub(super) fn with_article(ty: &Type) -> String {
+    match ty {
+        Type::Element(element) if element.kind == crate::types::ElementKind::Edge => {
+            "an edge".to_owned()
+        }
+        Type::Element(element) => format!("a {}", element.kind),
+        other => other.to_string(),
+    }
+}

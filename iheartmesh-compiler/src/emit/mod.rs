@@ -1,0 +1,3 @@
+//! From programs to text in other languages.
+
+pub mod rust;

@@ -1,0 +1,414 @@
+//! Bodies: the statements of each region, loops and branches.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Context;
+use super::place::{Part, Placement, RegionId, Roots};
+use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
+use crate::optimize::{Plan, Rows};
+use crate::types::{Number, Type};
+
+/// How a body reaches what it needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// Only the topology is at hand, as `t`.
+    Static,
+    /// The values are at hand as `s`, and the topology as `t`.
+    Dynamic,
+    /// A plan is being computed: what fails is kept as a failure, since its row may never be used.
+    Build,
+}
+
+/// The body of one Rust function.
+pub(super) struct Body<'a> {
+    pub(super) context: &'a Context<'a>,
+    pub(super) mode: Mode,
+    pub(super) plan: &'a Plan,
+    pub(super) placement: Placement,
+    /// Expressions that have a name.
+    pub(super) names: BTreeMap<ExprId, Ident>,
+    /// How variables are written, where not by their own name.
+    pub(super) variables: BTreeMap<VariableId, TokenStream>,
+}
+
+impl<'a> Body<'a> {
+    pub(super) fn new(context: &'a Context<'a>, mode: Mode, plan: &'a Plan, roots: &Roots) -> Self {
+        let arena = &context.program().arena;
+        let placement = Placement::new(
+            arena,
+            roots,
+            |e| context.may_fail.own(arena, e) || Self::column_may_fail(plan, arena.kind(e)),
+            context.staged.optimizations.share,
+        );
+        Self {
+            context,
+            mode,
+            plan,
+            placement,
+            names: BTreeMap::new(),
+            variables: BTreeMap::new(),
+        }
+    }
+
+    /// A body with a single result.
+    pub(super) fn single(
+        context: &'a Context<'a>,
+        mode: Mode,
+        plan: &'a Plan,
+        e: ExprId,
+    ) -> TokenStream {
+        let mut roots = Roots::default();
+        let region = roots.region(None, None);
+        roots.need(region, e);
+        let mut body = Self::new(context, mode, plan, &roots);
+        let statements = body.statements(RegionId(region), &[e]);
+        let result = body.owned(e);
+        quote!(#statements ::std::result::Result::Ok(#result))
+    }
+
+    pub(super) fn column_may_fail(plan: &Plan, kind: &Kind) -> bool {
+        match kind {
+            Kind::Column(variable, k) => plan
+                .space(*variable)
+                .and_then(|space| space.columns.get(*k as usize))
+                .is_some_and(|column| column.may_fail),
+            _ => false,
+        }
+    }
+
+    pub(super) fn kind(&self, e: ExprId) -> &'a Kind {
+        self.context.program().arena.kind(e)
+    }
+
+    pub(super) fn ty(&self, e: ExprId) -> &'a Type {
+        self.context.program().arena.ty(e)
+    }
+
+    /// Whether an expression, with all that is written inside of it, may fail.
+    pub(super) fn may_fail(&self, e: ExprId) -> bool {
+        self.context.may_fail.expr(&self.context.program().arena, e)
+    }
+
+    /// The statements of a region: a `let` for each expression that is used more than once or further in. Those of
+    /// `results` are written by the caller where they are used only there.
+    pub(super) fn statements(&mut self, region: RegionId, results: &[ExprId]) -> TokenStream {
+        let mut statements = TokenStream::new();
+        for e in self.placement.placed(region).to_vec() {
+            if self.is_written_inside(e, results) {
+                continue;
+            }
+            let name = format_ident!("t{}", e.0);
+            let value = self.value(e);
+            let statement = match self.mode == Mode::Build && self.may_fail(e) {
+                true => {
+                    let ty = self.context.inner_type(self.ty(e));
+                    quote!(let #name: rt::Fallible<#ty> = (|| ::std::result::Result::Ok(#value))();)
+                }
+                false => quote!(let #name = #value;),
+            };
+            statements.extend(statement);
+            self.names.insert(e, name);
+        }
+        statements
+    }
+
+    /// Whether an expression is written where it is used, without a name.
+    fn is_written_inside(&self, e: ExprId, results: &[ExprId]) -> bool {
+        let arena = &self.context.program().arena;
+        match arena.kind(e) {
+            Kind::Integer(_)
+            | Kind::Real(_)
+            | Kind::Boolean(_)
+            | Kind::Variable(_)
+            | Kind::Input(_)
+            | Kind::AllElements(_)
+            | Kind::Boundary(_)
+            | Kind::Column(..)
+            | Kind::Fail => true,
+            _ => {
+                let result = results.contains(&e) || self.placement.is_result_here(arena, e);
+                let uses = self.placement.uses(arena, e, result);
+                uses <= 1 && !(self.mode == Mode::Build && self.may_fail(e))
+            }
+        }
+    }
+
+    /// `{ statements; value }` for the result of a region.
+    fn region_value(&mut self, e: ExprId, part: Part, result: ExprId) -> TokenStream {
+        let region = self.placement.part(e, part);
+        let statements = self.statements(region, &[]);
+        let value = self.owned(result);
+        quote!({ #statements #value })
+    }
+
+    /// A choice.
+    pub(super) fn choice(
+        &mut self,
+        e: ExprId,
+        condition: ExprId,
+        a: ExprId,
+        b: ExprId,
+    ) -> TokenStream {
+        let condition = self.owned(condition);
+        let a = self.region_value(e, Part::Then, a);
+        let b = self.region_value(e, Part::Else, b);
+        quote!(if #condition #a else #b)
+    }
+
+    /// `and`, `or`.
+    pub(super) fn logical(
+        &mut self,
+        e: ExprId,
+        sign: TokenStream,
+        a: ExprId,
+        b: ExprId,
+    ) -> TokenStream {
+        let a = self.owned(a);
+        let b = self.region_value(e, Part::Right, b);
+        quote!((#a #sign #b))
+    }
+
+    /// A loop.
+    pub(super) fn fold(&mut self, e: ExprId) -> TokenStream {
+        let Kind::Fold {
+            op,
+            variable,
+            range,
+            condition,
+            body,
+        } = self.kind(e)
+        else {
+            panic!("bug in iheartmesh: no loop");
+        };
+        let ty = self.ty(e);
+        let (start, finish) = self.accumulator(e, *op, ty, *body == self.variable_expr(*variable));
+        let head = self.loop_head(*variable, range);
+        let outside = self.placement.part(e, Part::Loop);
+        let before = self.statements(outside, &[]);
+        let inside = match condition {
+            None => {
+                let step = self.step(*op, ty, *body);
+                quote!(#before #step)
+            }
+            Some(condition) => {
+                let condition = self.owned(*condition);
+                let taken = self.placement.part(e, Part::Taken);
+                let statements = self.statements(taken, &[]);
+                let step = self.step(*op, ty, *body);
+                quote!(#before if #condition { #statements #step })
+            }
+        };
+        quote!({ #start #head { #inside } #finish })
+    }
+
+    fn variable_expr(&self, variable: VariableId) -> ExprId {
+        // the expression of a bound variable exists as soon as the variable does
+        let arena = &self.context.program().arena;
+        let ty = arena.variable_type(variable).clone();
+        arena
+            .find(&Kind::Variable(variable), &ty)
+            .unwrap_or(ExprId(u32::MAX))
+    }
+
+    /// How a loop's value is started and finished.
+    fn accumulator(
+        &self,
+        e: ExprId,
+        op: Fold,
+        ty: &Type,
+        keeps_order: bool,
+    ) -> (TokenStream, TokenStream) {
+        let inner = self.context.inner_type(ty);
+        match op {
+            Fold::Sum => {
+                let zero = self.context.zero_of(ty);
+                (quote!(let mut sum: #inner = #zero;), quote!(sum))
+            }
+            Fold::Product => match ty {
+                Type::Scalar(Number::Integer) => (quote!(let mut product = 1i64;), quote!(product)),
+                _ => (quote!(let mut product = 1.0f64;), quote!(product)),
+            },
+            Fold::Min | Fold::Max => {
+                let site = self.context.site(e);
+                (
+                    quote!(let mut best: ::std::option::Option<#inner> = ::std::option::Option::None;),
+                    quote!(match best {
+                        ::std::option::Option::Some(best) => best,
+                        ::std::option::Option::None => return ::std::result::Result::Err(#site),
+                    }),
+                )
+            }
+            Fold::Collect | Fold::Union if ty.element_of_set().is_some() => {
+                let finish = match keeps_order && op == Fold::Collect {
+                    true => quote!(set),
+                    false => quote!(rt::sorted(set)),
+                };
+                (quote!(let mut set = rt::Ids::new();), finish)
+            }
+            Fold::Collect | Fold::Union => (
+                quote!(let mut set = ::std::vec::Vec::new();),
+                quote!(<#inner as ::std::convert::From<::std::vec::Vec<_>>>::from(set)),
+            ),
+        }
+    }
+
+    /// What a loop does with each value.
+    fn step(&mut self, op: Fold, ty: &Type, body: ExprId) -> TokenStream {
+        match op {
+            Fold::Sum => {
+                let value = self.owned(body);
+                quote!(sum += #value;)
+            }
+            Fold::Product => {
+                let value = self.owned(body);
+                quote!(product *= #value;)
+            }
+            Fold::Min | Fold::Max => {
+                let value = self.owned(body);
+                let better = if op == Fold::Min {
+                    quote!(<)
+                } else {
+                    quote!(>)
+                };
+                quote!({
+                    let value = #value;
+                    if best.is_none_or(|best| value #better best) {
+                        best = ::std::option::Option::Some(value);
+                    }
+                })
+            }
+            Fold::Collect => {
+                let value = self.owned(body);
+                quote!(set.push(#value);)
+            }
+            Fold::Union if ty.element_of_set().is_some() => {
+                let value = self.ids(body);
+                quote!(set.extend_from_slice(#value);)
+            }
+            Fold::Union => {
+                let value = self.reference(body);
+                quote!(set.extend((#value).iter().cloned());)
+            }
+        }
+    }
+
+    /// `for … in …`, binding what the inside of a loop needs.
+    fn loop_head(&mut self, variable: VariableId, range: &Range) -> TokenStream {
+        let name = self.variable_name(variable);
+        match range {
+            Range::Integers(from, to) => {
+                let (from, to) = (self.owned(*from), self.owned(*to));
+                quote!(for #name in #from..=#to)
+            }
+            Range::Set(set) => match (self.kind(*set), self.ty(*set)) {
+                (Kind::AllElements(element), _) => {
+                    let n = self.context.count(*element);
+                    quote!(for #name in 0..#n as u32)
+                }
+                (_, ty) if ty.element_of_set().is_some() => {
+                    let set = self.ids(*set);
+                    quote!(for &#name in #set)
+                }
+                (_, Type::Set(item)) if is_copy(item) => {
+                    let set = self.reference(*set);
+                    quote!(for &#name in (#set).iter())
+                }
+                _ => {
+                    let set = self.reference(*set);
+                    quote!(for #name in (#set).iter().cloned())
+                }
+            },
+            Range::Rows => self.rows_head(variable),
+        }
+    }
+
+    /// A loop over the rows of a plan.
+    fn rows_head(&mut self, variable: VariableId) -> TokenStream {
+        let Some(space) = self.plan.space(variable) else {
+            panic!("bug in iheartmesh: no rows for a loop");
+        };
+        let table = table_name(variable);
+        let row = row_name(variable);
+        let name = self.variable_name(variable);
+        match space.rows {
+            Rows::Universe(element) => {
+                let n = self.context.count(element);
+                match space.columns.is_empty() {
+                    true => quote!(for #name in 0..#n as u32),
+                    false => quote!(for (#name, #row) in s.plans.#table.enumerate()),
+                }
+            }
+            Rows::Members(_) => {
+                let parent = match space.parent {
+                    None => quote!(0),
+                    Some(parent) => self.row_number(parent),
+                };
+                let has_inner = self.plan.below(Some(variable)).next().is_some();
+                match has_inner {
+                    true => {
+                        let number = number_name(variable);
+                        quote!(for (#number, #row) in s.plans.#table.enumerate_rows_of(#parent))
+                    }
+                    false => quote!(for #row in s.plans.#table.rows_of(#parent)),
+                }
+            }
+            Rows::Key(_) => panic!("bug in iheartmesh: a loop over the key of a plan"),
+        }
+    }
+
+    /// The number of the current row of a space.
+    pub(super) fn row_number(&self, variable: VariableId) -> TokenStream {
+        match self.plan.space(variable).map(|s| s.rows) {
+            Some(Rows::Members(_)) => {
+                let number = number_name(variable);
+                quote!(#number)
+            }
+            _ => {
+                let name = self.variable_name(variable);
+                quote!(#name as usize)
+            }
+        }
+    }
+
+    pub(super) fn variable_name(&self, variable: VariableId) -> TokenStream {
+        if let Some(written) = self.variables.get(&variable) {
+            return written.clone();
+        }
+        let name = variable_ident(self.context, variable);
+        quote!(#name)
+    }
+}
+
+/// Whether values of a type are copied rather than cloned.
+pub(super) fn is_copy(ty: &Type) -> bool {
+    match ty {
+        Type::Scalar(_) | Type::Boolean | Type::Element(_) => true,
+        Type::Vector { .. } => ty.fixed_vector().is_some(),
+        Type::Tuple(items) => items.iter().all(is_copy),
+        _ => false,
+    }
+}
+
+/// The name of a variable in Rust.
+pub(super) fn variable_ident(context: &Context<'_>, variable: VariableId) -> Ident {
+    let name = super::names::rust_name(context.program().arena.variable_name(variable));
+    format_ident!("v{}_{}", variable.0, name)
+}
+
+/// The table of a space.
+pub(super) fn table_name(variable: VariableId) -> Ident {
+    format_ident!("rows{}", variable.0)
+}
+
+/// The current row of a space.
+pub(super) fn row_name(variable: VariableId) -> Ident {
+    format_ident!("row{}", variable.0)
+}
+
+/// The number of the current row of a space.
+pub(super) fn number_name(variable: VariableId) -> Ident {
+    format_ident!("number{}", variable.0)
+}

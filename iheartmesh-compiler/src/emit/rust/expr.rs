@@ -1,0 +1,373 @@
+//! Expressions that are not sets.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::block::{Body, Mode, is_copy, row_name};
+use crate::ir::{Binary, Elementary, ExprId, Kind, Unary};
+use crate::syntax::ast::CompareOp;
+use crate::types::{Number, Type};
+
+impl Body<'_> {
+    /// The value of an expression, owned.
+    pub(super) fn owned(&mut self, e: ExprId) -> TokenStream {
+        let Some(name) = self.names.get(&e).cloned() else {
+            return self.value(e);
+        };
+        let copy = is_copy(self.ty(e));
+        match (self.mode == Mode::Build && self.may_fail(e), copy) {
+            (true, true) => quote!(#name?),
+            (true, false) => quote!(#name.clone()?),
+            (false, true) => quote!(#name),
+            (false, false) => quote!(#name.clone()),
+        }
+    }
+
+    /// A reference to the value of an expression.
+    pub(super) fn reference(&mut self, e: ExprId) -> TokenStream {
+        let Some(name) = self.names.get(&e).cloned() else {
+            let value = self.value(e);
+            return quote!(&#value);
+        };
+        match self.mode == Mode::Build && self.may_fail(e) {
+            true => quote!(#name.as_ref().map_err(|fault| *fault)?),
+            false => quote!(&#name),
+        }
+    }
+
+    /// The value of an expression that has no name.
+    pub(super) fn value(&mut self, e: ExprId) -> TokenStream {
+        let kind = self.kind(e);
+        match kind {
+            Kind::Integer(v) => {
+                let v = Literal::i64_suffixed(*v);
+                quote!(#v)
+            }
+            Kind::Real(bits) => real(f64::from_bits(*bits)),
+            Kind::Boolean(v) => quote!(#v),
+            Kind::Variable(v) => {
+                let name = self.variable_name(*v);
+                match self.ty(e) {
+                    ty if ty.element_of_set().is_some() => quote!(rt::Ids::from_slice(#name)),
+                    Type::Set(_) | Type::CellularSet(_) => quote!(#name.clone()),
+                    _ => name,
+                }
+            }
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                match self.ty(e) {
+                    ty if is_copy(ty) => quote!(s.#field),
+                    // a local name, see `prelude`
+                    Type::Sequence { .. } => quote!(#field),
+                    _ => quote!(s.#field.clone()),
+                }
+            }
+            Kind::Global(id) => {
+                let name = self.context.global_name(*id);
+                let receiver = match self.context.is_static_global(*id) {
+                    true => quote!(t),
+                    false => quote!(s),
+                };
+                match is_copy(self.ty(e)) {
+                    true => quote!(*#receiver.#name()?),
+                    false => quote!(#receiver.#name()?.clone()),
+                }
+            }
+            Kind::Column(..) => self.column(e),
+            Kind::Call(id, arguments) => {
+                let name = self.context.function_name(*id);
+                let first = match self.context.is_static_function(*id) {
+                    true => quote!(t),
+                    false => quote!(s),
+                };
+                let arguments: Vec<_> = arguments.iter().map(|a| self.argument(*a)).collect();
+                quote!(#name(#first #(, #arguments)*)?)
+            }
+            Kind::Field(id, element) => {
+                let field = super::item::field_name(*id);
+                let index = self.element_index(*element);
+                let may_fail = self.index_may_fail(*element);
+                match may_fail {
+                    true => {
+                        let site = self.context.site(*element);
+                        quote!(*rt::at(#field, #index, #site)?)
+                    }
+                    false => quote!(#field[#index]),
+                }
+            }
+            Kind::Unary(op, a) => self.unary(e, *op, *a),
+            Kind::Binary(op, a, b) => self.binary(e, *op, *a, *b),
+            Kind::Compare(op, a, b) => self.compare(*op, *a, *b),
+            Kind::And(a, b) => self.logical(e, quote!(&&), *a, *b),
+            Kind::Or(a, b) => self.logical(e, quote!(||), *a, *b),
+            Kind::Not(a) => {
+                let a = self.owned(*a);
+                quote!((!#a))
+            }
+            Kind::Vector(items) => {
+                let ty = self.context.inner_type(self.ty(e));
+                let items: Vec<_> = items.iter().map(|i| self.owned(*i)).collect();
+                quote!(#ty::new(#(#items),*))
+            }
+            Kind::Component(vector, index) => {
+                let a = self.owned(*vector);
+                match self.kind(*index) {
+                    Kind::Integer(k) => {
+                        let k = Literal::i64_unsuffixed(*k - 1);
+                        quote!(#a[#k])
+                    }
+                    _ => {
+                        let index = self.owned(*index);
+                        let site = self.context.site(e);
+                        quote!(*rt::entry(#a.as_ref(), #index, #site)?)
+                    }
+                }
+            }
+            Kind::Item(sequence, index) => self.item(e, *sequence, *index),
+            Kind::Length(a) => {
+                let a = self.reference(*a);
+                quote!(((#a).len() as i64))
+            }
+            Kind::Tuple(items) => {
+                let items: Vec<_> = items.iter().map(|i| self.owned(*i)).collect();
+                quote!((#(#items,)*))
+            }
+            Kind::Project(a, k) => {
+                let k = Literal::u32_unsuffixed(*k);
+                let copy = is_copy(self.ty(e));
+                let a = match self.names.get(a).is_some() {
+                    true => self.reference(*a),
+                    false => self.owned(*a),
+                };
+                match copy {
+                    true => quote!((#a).#k),
+                    false => quote!((#a).#k.clone()),
+                }
+            }
+            Kind::If(condition, a, b) => self.choice(e, *condition, *a, *b),
+            Kind::Fail => {
+                let site = self.context.site(e);
+                quote!(return ::std::result::Result::Err(#site))
+            }
+            Kind::Fold { .. } => self.fold(e),
+            _ => self.set_value(e),
+        }
+    }
+
+    /// An argument of a call: sets and sequences by reference.
+    fn argument(&mut self, e: ExprId) -> TokenStream {
+        match self.ty(e) {
+            ty if ty.element_of_set().is_some() => self.ids(e),
+            Type::Set(_) | Type::CellularSet(_) => match self.kind(e) {
+                Kind::Variable(v) => self.variable_name(*v),
+                _ => self.reference(e),
+            },
+            _ => self.owned(e),
+        }
+    }
+
+    /// A column of the current row.
+    fn column(&mut self, e: ExprId) -> TokenStream {
+        let Kind::Column(variable, k) = self.kind(e) else {
+            panic!("bug in iheartmesh: no column");
+        };
+        let row = row_name(*variable);
+        let index = Literal::u32_unsuffixed(*k);
+        let may_fail = Self::column_may_fail(self.plan, self.kind(e));
+        let site = || self.context.site(self.column_value(e));
+        match (self.ty(e), may_fail) {
+            (Type::Element(_), false) => quote!(#row[#index]),
+            (Type::Element(_), true) => {
+                let site = site();
+                quote!(rt::element(#row[#index], #site)?)
+            }
+            (Type::Boolean, false) => quote!((#row[#index] != 0)),
+            (Type::Boolean, true) => {
+                let site = site();
+                quote!((rt::integer(#row[#index], #site)? != 0))
+            }
+            (_, false) => quote!((#row[#index] as i32 as i64)),
+            (_, true) => {
+                let site = site();
+                quote!(rt::integer(#row[#index], #site)?)
+            }
+        }
+    }
+
+    /// What a column stores.
+    fn column_value(&self, e: ExprId) -> ExprId {
+        match self.kind(e) {
+            Kind::Column(variable, k) => self
+                .plan
+                .space(*variable)
+                .and_then(|s| s.columns.get(*k as usize))
+                .map_or(e, |c| c.value),
+            _ => e,
+        }
+    }
+
+    /// An element as an index, not checked where it is a column that may hold a mark.
+    fn element_index(&mut self, index: ExprId) -> TokenStream {
+        if let Kind::Column(variable, k) = self.kind(index)
+            && self.names.get(&index).is_none()
+        {
+            let row = row_name(*variable);
+            let k = Literal::u32_unsuffixed(*k);
+            return quote!(#row[#k] as usize);
+        }
+        let index = self.owned(index);
+        quote!(#index as usize)
+    }
+
+    fn index_may_fail(&self, index: ExprId) -> bool {
+        Self::column_may_fail(self.plan, self.kind(index)) && self.names.get(&index).is_none()
+    }
+
+    fn item(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
+        let copy = is_copy(self.ty(e));
+        let base = match self.kind(sequence) {
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                quote!(#field)
+            }
+            _ => self.owned(sequence),
+        };
+        let found = if self.ty(index).is_element() {
+            let may_fail = self.index_may_fail(index);
+            let place = self.element_index(index);
+            match may_fail {
+                true => {
+                    let site = self.context.site(self.column_value(index));
+                    quote!(*rt::at(#base, #place, #site)?)
+                }
+                false => quote!(#base[#place]),
+            }
+        } else {
+            let place = self.owned(index);
+            let site = self.context.site(e);
+            quote!(*rt::entry(#base, #place, #site)?)
+        };
+        match copy {
+            true => found,
+            false => quote!((#found).clone()),
+        }
+    }
+
+    fn unary(&mut self, e: ExprId, op: Unary, a: ExprId) -> TokenStream {
+        let vector = self.ty(a).fixed_vector().is_some();
+        let value = self.owned(a);
+        match op {
+            Unary::Negate => quote!((-#value)),
+            Unary::Absolute if *self.ty(e) == Type::INTEGER => quote!((#value).wrapping_abs()),
+            Unary::Absolute => quote!((#value).abs()),
+            Unary::SquareRoot => quote!((#value).sqrt()),
+            Unary::Norm => quote!((#value).length()),
+            Unary::ToReal => quote!((#value as f64)),
+            Unary::ToInteger => quote!((#value as i64 + 1)),
+            Unary::Apply(function) if vector => {
+                let applied = elementary(function, quote!(x));
+                let ty = self.context.inner_type(self.ty(e));
+                quote!(#ty::from_array((#value).to_array().map(|x| #applied)))
+            }
+            Unary::Apply(function) => elementary(function, quote!((#value))),
+        }
+    }
+
+    fn binary(&mut self, e: ExprId, op: Binary, a: ExprId, b: ExprId) -> TokenStream {
+        let integer = *self.ty(e) == Type::Scalar(Number::Integer);
+        let exponent = match self.kind(b) {
+            Kind::Real(bits) => Some(f64::from_bits(*bits)),
+            _ => None,
+        };
+        let (a, b) = (self.owned(a), self.owned(b));
+        match op {
+            Binary::Add if integer => quote!((#a).wrapping_add(#b)),
+            Binary::Subtract if integer => quote!((#a).wrapping_sub(#b)),
+            Binary::Multiply if integer => quote!((#a).wrapping_mul(#b)),
+            Binary::Add => quote!((#a + #b)),
+            Binary::Subtract => quote!((#a - #b)),
+            Binary::Multiply => quote!((#a * #b)),
+            Binary::Divide => quote!((#a / #b)),
+            Binary::Power => match exponent {
+                Some(p) if p.fract() == 0.0 && p.abs() <= 64.0 => {
+                    let p = Literal::i32_suffixed(p as i32);
+                    quote!((#a).powi(#p))
+                }
+                Some(0.5) => quote!((#a).sqrt()),
+                _ => quote!((#a).powf(#b)),
+            },
+            Binary::Dot => quote!((#a).dot(#b)),
+            Binary::Cross => quote!((#a).cross(#b)),
+            Binary::Atan2 => quote!((#a).atan2(#b)),
+            Binary::Min => quote!((#a).min(#b)),
+            Binary::Max => quote!((#a).max(#b)),
+        }
+    }
+
+    fn compare(&mut self, op: CompareOp, a: ExprId, b: ExprId) -> TokenStream {
+        let sign = match op {
+            CompareOp::Equal => quote!(==),
+            CompareOp::NotEqual => quote!(!=),
+            CompareOp::Less => quote!(<),
+            CompareOp::LessOrEqual => quote!(<=),
+            CompareOp::Greater => quote!(>),
+            CompareOp::GreaterOrEqual => quote!(>=),
+        };
+        let (a, b) = match is_copy(self.ty(a)) {
+            true => (self.owned(a), self.owned(b)),
+            false => (self.reference(a), self.reference(b)),
+        };
+        quote!((#a #sign #b))
+    }
+}
+
+/// A real number as Rust writes it.
+fn real(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!(f64::NAN);
+    }
+    if value.is_infinite() {
+        return match value > 0.0 {
+            true => quote!(f64::INFINITY),
+            false => quote!(f64::NEG_INFINITY),
+        };
+    }
+    if value == std::f64::consts::PI {
+        return quote!(::std::f64::consts::PI);
+    }
+    if value == std::f64::consts::TAU {
+        return quote!(::std::f64::consts::TAU);
+    }
+    if value == std::f64::consts::E {
+        return quote!(::std::f64::consts::E);
+    }
+    let literal = Literal::f64_suffixed(value.abs());
+    match value.is_sign_negative() {
+        true => quote!((-#literal)),
+        false => quote!(#literal),
+    }
+}
+
+fn elementary(function: Elementary, x: TokenStream) -> TokenStream {
+    match function {
+        Elementary::Sin => quote!(#x.sin()),
+        Elementary::Cos => quote!(#x.cos()),
+        Elementary::Tan => quote!(#x.tan()),
+        Elementary::Cot => quote!((1.0 / #x.tan())),
+        Elementary::Sec => quote!((1.0 / #x.cos())),
+        Elementary::Csc => quote!((1.0 / #x.sin())),
+        Elementary::Asin => quote!(#x.asin()),
+        Elementary::Acos => quote!(#x.acos()),
+        Elementary::Atan => quote!(#x.atan()),
+        Elementary::Sinh => quote!(#x.sinh()),
+        Elementary::Cosh => quote!(#x.cosh()),
+        Elementary::Tanh => quote!(#x.tanh()),
+        Elementary::Asinh => quote!(#x.asinh()),
+        Elementary::Acosh => quote!(#x.acosh()),
+        Elementary::Atanh => quote!(#x.atanh()),
+        Elementary::Exp => quote!(#x.exp()),
+        Elementary::Ln => quote!(#x.ln()),
+        Elementary::Log2 => quote!(#x.log2()),
+        Elementary::Log10 => quote!(#x.log10()),
+    }
+}

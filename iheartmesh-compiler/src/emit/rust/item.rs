@@ -1,0 +1,548 @@
+//! The struct, its private module, and `new`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::block::{Body, Mode, variable_ident};
+use super::{Context, Header, docs, names};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, Input, InputId, Kind};
+use crate::optimize::Plan;
+use crate::span::Span;
+use crate::types::{Atom, Element, Type};
+
+/// All items of a program.
+pub(super) fn items(
+    context: &Context<'_>,
+    header: &Header,
+    diagnostics: &mut Diagnostics,
+) -> TokenStream {
+    let Header {
+        name,
+        visibility,
+        attributes,
+        source,
+        ..
+    } = header;
+    let krate = context.krate;
+    let module = &context.module;
+    let mut rust_names = RustNames::new(diagnostics);
+    let methods = context.methods(&mut rust_names);
+    let setters = context.setters(&mut rust_names);
+    let arguments = &methods.module;
+    let inner = context.module_items();
+    let parameters: Vec<(Ident, TokenStream)> = context.new_parameters();
+    let (names, types): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
+    let conversions = context.values().map(|(id, input)| {
+        let name = names::ident(&names::rust_name(&input.name));
+        let field = context.input_field(id);
+        let value = match is_converted(&input.ty) {
+            true => quote!(#name.into()),
+            false => quote!(#name),
+        };
+        quote!(let #field = #value;)
+    });
+    let meshes: Vec<_> = context
+        .program()
+        .meshes
+        .iter()
+        .map(|mesh| names::ident(&names::rust_name(&mesh.name)))
+        .collect();
+    let fields: Vec<_> = context
+        .values()
+        .map(|(id, _)| context.input_field(id))
+        .collect();
+    let methods = &methods.methods;
+    let new_docs = docs::new(context);
+    let struct_docs = docs::structure(source);
+    quote! {
+        #attributes
+        #struct_docs
+        #visibility struct #name<'a> {
+            state: #module::State<'a>,
+        }
+
+        #[doc(hidden)]
+        #[allow(dead_code, missing_docs, non_snake_case, non_camel_case_types, uncommon_codepoints,
+            unused_variables, unused_parens, unreachable_code, unreachable_pub, clippy::all, clippy::pedantic)]
+        mod #module {
+            use #krate::__private as rt;
+            #inner
+            #arguments
+        }
+
+        #[allow(non_snake_case, uncommon_codepoints, unused_variables, clippy::all, clippy::pedantic)]
+        impl<'a> #name<'a> {
+            /// The text of the program.
+            pub const SOURCE: &'static str = #source;
+
+            #new_docs
+            pub fn new(#(#names: #types),*) -> ::std::result::Result<Self, #krate::Error> {
+                #(#conversions)*
+                ::std::result::Result::Ok(Self { state: #module::State::new(#(#meshes,)* #(#fields),*)? })
+            }
+
+            #methods
+            #setters
+        }
+    }
+}
+
+/// Whether an argument is turned into what the struct holds.
+pub(super) fn is_converted(ty: &Type) -> bool {
+    matches!(
+        ty,
+        Type::Sequence { .. } | Type::Set(_) | Type::CellularSet(_)
+    )
+}
+
+/// The local name of a field of values.
+pub(super) fn field_name(id: FunctionId) -> Ident {
+    format_ident!("field{}", id.0)
+}
+
+/// The Rust names of methods, to find clashes.
+pub(super) struct RustNames<'a> {
+    known: BTreeMap<String, (String, Span)>,
+    diagnostics: &'a mut Diagnostics,
+}
+
+impl<'a> RustNames<'a> {
+    fn new(diagnostics: &'a mut Diagnostics) -> Self {
+        Self {
+            known: BTreeMap::from([(
+                "new".to_owned(),
+                ("the constructor".to_owned(), Span::default()),
+            )]),
+            diagnostics,
+        }
+    }
+
+    /// Takes a name; a clash is reported.
+    pub(super) fn take(&mut self, rust: &str, written: &str, span: Span) {
+        if let Some((other, place)) = self.known.get(rust) {
+            let mut diagnostic = Diagnostic::error(
+                span,
+                format!(
+                    "`{written}` and {} have the same name in Rust, `{rust}`",
+                    quoted(other)
+                ),
+            );
+            if *place != Span::default() {
+                diagnostic = diagnostic.label(*place, "the other one");
+            }
+            self.diagnostics
+                .push(diagnostic.help("rename one of the two"));
+            return;
+        }
+        self.known
+            .insert(rust.to_owned(), (written.to_owned(), span));
+    }
+
+    /// Takes an additional name, if it is free.
+    pub(super) fn alias(&mut self, rust: &str, written: &str, span: Span) -> bool {
+        if self.known.contains_key(rust) {
+            return false;
+        }
+        self.known
+            .insert(rust.to_owned(), (written.to_owned(), span));
+        true
+    }
+}
+
+fn quoted(name: &str) -> String {
+    match name.contains(' ') {
+        true => name.to_owned(),
+        false => format!("`{name}`"),
+    }
+}
+
+impl Context<'_> {
+    fn new_parameters(&self) -> Vec<(Ident, TokenStream)> {
+        let program = self.program();
+        program
+            .input_order
+            .iter()
+            .map(|id| {
+                let input = program.input(*id);
+                let name = names::ident(&names::rust_name(&input.name));
+                (name, self.parameter_type(&input.ty, &quote!('a)))
+            })
+            .collect()
+    }
+
+    /// What is in the private module.
+    fn module_items(&self) -> TokenStream {
+        let krate = self.krate;
+        let program = self.program();
+        let meshes: Vec<(Ident, Ident)> = (0..program.meshes.len() as u32)
+            .map(crate::types::MeshId)
+            .map(|id| {
+                (
+                    self.mesh_field(id),
+                    names::ident(&program.mesh(id).kind.to_string()),
+                )
+            })
+            .collect();
+        let (mesh_names, mesh_types): (Vec<_>, Vec<_>) = meshes.into_iter().unzip();
+        let (values, value_types): (Vec<_>, Vec<_>) = self
+            .values()
+            .map(|(id, input)| (self.input_field(id), self.held_type(&input.ty)))
+            .unzip();
+        let plans = self.plans();
+        let (plan_fields, plan_statements, plan_names, plan_functions) = (
+            &plans.fields,
+            &plans.statements,
+            &plans.names,
+            &plans.functions,
+        );
+        let globals: Vec<GlobalId> = (0..program.globals.len() as u32).map(GlobalId).collect();
+        let (fixed, changing): (Vec<GlobalId>, Vec<GlobalId>) = globals
+            .into_iter()
+            .partition(|id| self.is_static_global(*id));
+        let fixed_fields = fixed.iter().map(|id| self.cache_field(*id));
+        let fixed_starts = fixed.iter().map(|id| self.cache_start(*id));
+        let changing_fields = changing.iter().map(|id| self.cache_field(*id));
+        let changing_starts = changing.iter().map(|id| self.cache_start(*id));
+        let fixed_methods = fixed.iter().map(|id| self.cache_method(*id));
+        let changing_methods = changing.iter().map(|id| self.cache_method(*id));
+        let functions: TokenStream = program.function_ids().map(|id| self.function(id)).collect();
+        let compute: TokenStream = fixed
+            .iter()
+            .chain(&changing)
+            .map(|id| self.compute(*id))
+            .collect();
+        let checks = self.values().map(|(id, input)| self.check(id, input));
+        quote! {
+            pub struct Topology<'a> {
+                #(pub #mesh_names: &'a #krate::#mesh_types,)*
+                #(#fixed_fields)*
+                pub lifetime: ::std::marker::PhantomData<&'a ()>,
+            }
+
+            pub struct Plans { #plan_fields }
+
+            pub struct State<'a> {
+                pub topology: Topology<'a>,
+                pub plans: Plans,
+                #(pub #values: #value_types,)*
+                #(#changing_fields)*
+            }
+
+            impl<'a> Topology<'a> { #(#fixed_methods)* }
+
+            impl<'a> State<'a> {
+                pub fn new(#(#mesh_names: &'a #krate::#mesh_types,)* #(#values: #value_types),*)
+                    -> ::std::result::Result<Self, #krate::Error>
+                {
+                    let topology = Topology {
+                        #(#mesh_names,)*
+                        #(#fixed_starts)*
+                        lifetime: ::std::marker::PhantomData,
+                    };
+                    let t = &topology;
+                    #(#checks)*
+                    #plan_statements
+                    let plans = Plans { #plan_names };
+                    ::std::result::Result::Ok(Self { topology, plans, #(#values,)* #(#changing_starts)* })
+                }
+
+                #(#changing_methods)*
+            }
+
+            #plan_functions
+            #compute
+            #functions
+        }
+    }
+
+    /// The type in which the struct holds a value.
+    pub(super) fn held_type(&self, ty: &Type) -> TokenStream {
+        let krate = self.krate;
+        match ty {
+            Type::Sequence { item, .. } => {
+                let item = self.outer_type(item);
+                quote!(#krate::Values<'a, #item>)
+            }
+            Type::Set(_) | Type::CellularSet(_) => {
+                let set = self.outer_type(ty);
+                quote!(#krate::OwnedOrBorrowed<'a, #set>)
+            }
+            _ => self.outer_type(ty),
+        }
+    }
+
+    fn cache_name(&self, id: GlobalId) -> Ident {
+        format_ident!("cache{}", id.0)
+    }
+
+    fn cache_field(&self, id: GlobalId) -> TokenStream {
+        let name = self.cache_name(id);
+        let ty = self.inner_type_of_global(id);
+        quote!(pub #name: ::std::sync::OnceLock<rt::Fallible<#ty>>,)
+    }
+
+    fn cache_start(&self, id: GlobalId) -> TokenStream {
+        let name = self.cache_name(id);
+        quote!(#name: ::std::sync::OnceLock::new(),)
+    }
+
+    fn inner_type_of_global(&self, id: GlobalId) -> TokenStream {
+        let krate = self.krate;
+        match self.program().arena.ty(self.program().global(id).value) {
+            // a boundary matrix is only ever given to the host
+            Type::Matrix { .. } => quote!(#krate::sprs::CsMat<f64>),
+            ty => self.inner_type(ty),
+        }
+    }
+
+    fn cache_method(&self, id: GlobalId) -> TokenStream {
+        let (name, cache, ty) = (
+            self.global_name(id),
+            self.cache_name(id),
+            self.inner_type_of_global(id),
+        );
+        let compute = format_ident!("compute_{}", name);
+        quote! {
+            pub fn #name(&self) -> rt::Fallible<&#ty> {
+                self.#cache.get_or_init(|| #compute(self)).as_ref().map_err(|fault| *fault)
+            }
+        }
+    }
+
+    /// The function that computes a definition.
+    fn compute(&self, id: GlobalId) -> TokenStream {
+        let name = format_ident!("compute_{}", self.global_name(id));
+        let ty = self.inner_type_of_global(id);
+        let value = self.program().global(id).value;
+        match self.staged.globals.get(&id) {
+            None => {
+                let body = Body::single(self, Mode::Static, &Plan::default(), value);
+                quote!(fn #name(t: &Topology<'_>) -> rt::Fallible<#ty> { #body })
+            }
+            Some(staged) => {
+                let prelude = self.prelude(&[staged.body]);
+                let body = Body::single(self, Mode::Dynamic, &staged.plan, staged.body);
+                quote!(fn #name(s: &State<'_>) -> rt::Fallible<#ty> { #prelude #body })
+            }
+        }
+    }
+
+    /// The Rust function of a function of the program, with those that evaluate it for all elements.
+    fn function(&self, id: FunctionId) -> TokenStream {
+        let function = self.program().function(id);
+        let name = self.function_name(id);
+        let ty = self.inner_type(&function.ty);
+        let parameters: Vec<TokenStream> = function
+            .parameters
+            .iter()
+            .map(|p| {
+                let name = variable_ident(self, p.variable);
+                let inner = self.inner_type(&p.ty);
+                match &p.ty {
+                    ty if ty.element_of_set().is_some() => quote!(#name: &[u32]),
+                    ty if Body::is_by_reference(ty) => quote!(#name: &#inner),
+                    _ => quote!(#name: #inner),
+                }
+            })
+            .collect();
+        match self.staged.functions.get(&id) {
+            None => {
+                let body = Body::single(self, Mode::Static, &Plan::default(), function.body);
+                quote!(pub fn #name(t: &Topology<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #body })
+            }
+            Some(staged) => {
+                let prelude = self.prelude(&[staged.body]);
+                let row = self.key_row(&staged.plan);
+                let body = Body::single(self, Mode::Dynamic, &staged.plan, staged.body);
+                let whole = self.whole(id, staged).map(|(_, code)| code);
+                quote! {
+                    pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #prelude #row #body }
+                    #whole
+                }
+            }
+        }
+    }
+
+    /// What a function over the state starts with: the topology, and a local name for each sequence that it uses.
+    pub(super) fn prelude(&self, bodies: &[ExprId]) -> TokenStream {
+        let mut used = BTreeSet::new();
+        for body in bodies {
+            crate::optimize::reachable(&self.program().arena, *body, &mut |kind| {
+                if let Kind::Input(id) = kind
+                    && matches!(self.program().input(*id).ty, Type::Sequence { .. })
+                {
+                    used.insert(*id);
+                }
+            });
+        }
+        let fields: Vec<_> = used.into_iter().map(|id| self.input_field(id)).collect();
+        quote! {
+            let t = &s.topology;
+            #(let #fields = s.#fields.as_ref();)*
+        }
+    }
+
+    /// Checks an input, which is at hand under its field's name, against the meshes and the inputs before it.
+    pub(super) fn check(&self, id: InputId, input: &Input) -> TokenStream {
+        let field = self.input_field(id);
+        let name = &input.name;
+        let mut checks = TokenStream::new();
+        if let Type::Element(element) = input.ty {
+            let n = self.count(element);
+            let mesh = &self.program().mesh(element.mesh).name;
+            checks.extend(quote!(rt::check_element(#name, #field, #n, #mesh)?;));
+        }
+        if let Some(element) = input.ty.element_of_set() {
+            let n = self.count(element);
+            let mesh = &self.program().mesh(element.mesh).name;
+            checks.extend(quote!(rt::check_set(#name, #field.as_ref(), #n, #mesh)?;));
+        }
+        if let Type::Sequence { length, index, .. } = &input.ty {
+            let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
+            let indexed: BTreeSet<Element> = indexed.into_iter().collect();
+            let exact = indexed.len() == 1;
+            for element in indexed {
+                let n = self.count(element);
+                let mesh = &self.program().mesh(element.mesh).name;
+                let kind = crate::types::display::plural(element.kind);
+                checks.extend(
+                    quote!(rt::check_length(#name, #field.as_ref().len(), #n, #exact, #mesh, #kind)?;),
+                );
+            }
+            if let Some(Atom::Length(_)) = length.as_atom() {
+                let first = self.values().find(|(other, other_input)| {
+                    *other != id && matches!(&other_input.ty, Type::Sequence { length: l, .. } if l == length)
+                });
+                // each is compared with the first of its letter, and the first with the second
+                if let Some((other, other_input)) = first
+                    && other < id
+                {
+                    let (other, other_name) = (self.input_field(other), &other_input.name);
+                    checks.extend(quote! {
+                        rt::check_same_length(#other_name, #other.as_ref().len(), #name, #field.as_ref().len())?;
+                    });
+                }
+            }
+        }
+        checks
+    }
+
+    /// The methods that set new values.
+    fn setters(&self, rust_names: &mut RustNames<'_>) -> TokenStream {
+        let krate = self.krate;
+        let mut setters = TokenStream::new();
+        for (id, input) in self.values() {
+            let base = names::rust_name(&input.name);
+            let mut list = vec![base.clone()];
+            rust_names.take(&format!("set_{base}"), &input.name, input.span);
+            if let Some(alias) = names::ascii_alias(&base)
+                && rust_names.alias(&format!("set_{alias}"), &input.name, input.span)
+            {
+                list.push(alias);
+            }
+            let ty = self.parameter_type(&input.ty, &quote!('a));
+            let field = self.input_field(id);
+            let value = match is_converted(&input.ty) {
+                true => quote!(value.into()),
+                false => quote!(value),
+            };
+            let check = self.check(id, input);
+            // other inputs are at hand for the check
+            let others = self
+                .values()
+                .filter(|(other, _)| *other != id)
+                .map(|(other, _)| {
+                    let other = self.input_field(other);
+                    quote!(let #other = &self.state.#other;)
+                });
+            let caches = self
+                .dependent_globals(id)
+                .into_iter()
+                .map(|global| self.cache_name(global));
+            let body = quote! {
+                let #field = #value;
+                {
+                    use #krate::__private as rt;
+                    let t = &self.state.topology;
+                    #(#others)*
+                    #check
+                }
+                self.state.#field = #field;
+                #(self.state.#caches = ::std::sync::OnceLock::new();)*
+                ::std::result::Result::Ok(())
+            };
+            let text = docs::setter(&input.name);
+            for name in list {
+                let setter = names::ident(&format!("set_{name}"));
+                setters.extend(quote! {
+                    #text
+                    pub fn #setter(&mut self, value: #ty) -> ::std::result::Result<(), #krate::Error> { #body }
+                });
+            }
+        }
+        setters
+    }
+
+    /// The definitions whose values depend on an input.
+    fn dependent_globals(&self, input: InputId) -> Vec<GlobalId> {
+        let program = self.program();
+        let mut functions = vec![false; program.functions.len()];
+        let mut globals = vec![false; program.globals.len()];
+        loop {
+            let mut changed = false;
+            let uses = |e: ExprId, functions: &[bool], globals: &[bool]| {
+                let mut found = false;
+                crate::optimize::reachable(&program.arena, e, &mut |kind| {
+                    found |= match kind {
+                        Kind::Input(id) => *id == input,
+                        Kind::Call(id, _) => functions[id.0 as usize],
+                        Kind::Global(id) => globals[id.0 as usize],
+                        _ => false,
+                    }
+                });
+                found
+            };
+            for (k, f) in program.functions.iter().enumerate() {
+                if !functions[k] && uses(f.body, &functions, &globals) {
+                    functions[k] = true;
+                    changed = true;
+                }
+            }
+            for (k, g) in program.globals.iter().enumerate() {
+                if !globals[k] && uses(g.value, &functions, &globals) {
+                    globals[k] = true;
+                    changed = true;
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+        (0..program.globals.len())
+            .filter(|k| globals[*k])
+            .map(|k| GlobalId(k as u32))
+            .collect()
+    }
+
+    /// What the host may call: definitions, and functions by name.
+    pub(super) fn exports(&self) -> (Vec<GlobalId>, Vec<(String, Vec<FunctionId>)>) {
+        let mut globals = Vec::new();
+        let mut functions: Vec<(String, Vec<FunctionId>)> = Vec::new();
+        for export in &self.program().exports {
+            match export {
+                Export::Global(id) => globals.push(*id),
+                Export::Function(id) => {
+                    let name = &self.program().function(*id).name;
+                    match functions.iter_mut().find(|(n, _)| n == name) {
+                        Some((_, list)) => list.push(*id),
+                        None => functions.push((name.clone(), vec![*id])),
+                    }
+                }
+            }
+        }
+        (globals, functions)
+    }
+}

@@ -1,0 +1,157 @@
+//! From a staged program to Rust.
+//!
+//! The generated code is one struct and one private module beside it. In that module a `Topology` holds the meshes,
+//! `Plans` what is computed once per mesh, and `State` both with the values; every function of the program is
+//! one small Rust function over them. Only paths under the crate's own path are named.
+
+mod block;
+mod docs;
+mod expr;
+mod item;
+mod method;
+pub mod names;
+mod orbit;
+pub mod place;
+mod plan;
+mod set;
+mod types;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::diagnostic::Diagnostics;
+use crate::ir::{ExprId, FunctionId, GlobalId, Input, InputId, Program};
+use crate::optimize::StagedProgram;
+use crate::source::Sources;
+use crate::types::MeshId;
+
+/// What the Rust side of the macro says about the struct.
+#[derive(Clone, Debug)]
+pub struct Header {
+    /// Name of the struct.
+    pub name: Ident,
+    /// Its visibility.
+    pub visibility: TokenStream,
+    /// Its attributes: the user's documentation.
+    pub attributes: TokenStream,
+    /// Path of the crate that generated code names.
+    pub krate: TokenStream,
+    /// The text of the program.
+    pub source: String,
+}
+
+/// The items that a program becomes. Clashes of Rust names are reported.
+pub fn emit(
+    staged: &StagedProgram,
+    sources: &Sources,
+    header: &Header,
+    diagnostics: &mut Diagnostics,
+) -> TokenStream {
+    let context = Context {
+        staged,
+        sources,
+        krate: &header.krate,
+        module: format_ident!("__ihm_{}", header.name),
+        may_fail: crate::optimize::MayFail::of(&staged.program),
+    };
+    item::items(&context, header, diagnostics)
+}
+
+/// What every part of the emitter needs.
+struct Context<'a> {
+    staged: &'a StagedProgram,
+    sources: &'a Sources,
+    krate: &'a TokenStream,
+    /// The private module.
+    module: Ident,
+    may_fail: crate::optimize::MayFail,
+}
+
+impl Context<'_> {
+    fn program(&self) -> &Program {
+        &self.staged.program
+    }
+
+    fn is_static_function(&self, id: FunctionId) -> bool {
+        self.staged.static_functions[id.0 as usize]
+    }
+
+    fn is_static_global(&self, id: GlobalId) -> bool {
+        self.staged.static_globals[id.0 as usize]
+    }
+
+    /// The Rust function of a function of the program.
+    fn function_name(&self, id: FunctionId) -> Ident {
+        let name = names::rust_name(&self.program().function(id).name);
+        format_ident!("f{}_{}", id.0, name)
+    }
+
+    /// The Rust function that computes a definition.
+    fn global_name(&self, id: GlobalId) -> Ident {
+        let name = names::rust_name(&self.program().global(id).name);
+        format_ident!("g{}_{}", id.0, name)
+    }
+
+    fn mesh_field(&self, mesh: MeshId) -> Ident {
+        let name = names::rust_name(&self.program().mesh(mesh).name);
+        format_ident!("mesh{}_{}", mesh.0, name)
+    }
+
+    fn input_field(&self, id: InputId) -> Ident {
+        let name = names::rust_name(&self.program().input(id).name);
+        format_ident!("input{}_{}", id.0, name)
+    }
+
+    /// Inputs other than meshes, in order of declaration.
+    fn values(&self) -> impl Iterator<Item = (InputId, &Input)> {
+        let program = self.program();
+        program
+            .input_order
+            .iter()
+            .map(|id| (*id, program.input(*id)))
+            .filter(|(_, input)| !matches!(input.ty, crate::types::Type::Mesh(..)))
+    }
+
+    /// What is said when an expression fails: its text and place.
+    fn site(&self, e: ExprId) -> TokenStream {
+        let what = self.failure(e);
+        let text = match self.program().arena.origin(e) {
+            Some(span) => {
+                let source = self.sources.get(span.source);
+                let (line, column) = source.line_column(span.start);
+                let written = self
+                    .sources
+                    .text(span)
+                    .split_whitespace()
+                    .collect::<Vec<_>>()
+                    .join(" ");
+                let written: String = match written.chars().count() {
+                    0..=60 => written,
+                    _ => written.chars().take(59).chain(['…']).collect(),
+                };
+                format!("{what} in `{written}` ({}:{line}:{column})", source.file)
+            }
+            None => what,
+        };
+        quote!(rt::Fault::new(#text))
+    }
+
+    fn failure(&self, e: ExprId) -> String {
+        use crate::ir::{Fold, Kind};
+        let arena = &self.program().arena;
+        match arena.kind(e) {
+            Kind::SetItem(_, index) => match arena.kind(*index) {
+                Kind::Integer(k) => format!("the set has no member {k}"),
+                _ => "the set has no member of this number".to_owned(),
+            },
+            Kind::Sized(_, n) => format!("the set does not have exactly {n} members"),
+            Kind::Item(..) => "the sequence has no item of this number".to_owned(),
+            Kind::Component(..) => "the vector has no entry of this number".to_owned(),
+            Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set".to_owned(),
+            Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set".to_owned(),
+            Kind::Fail => "no case applies".to_owned(),
+            Kind::Call(id, _) => format!("`{}` has no value", self.program().function(*id).name),
+            _ => "there is no such element".to_owned(),
+        }
+    }
+}

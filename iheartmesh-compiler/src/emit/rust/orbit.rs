@@ -1,0 +1,280 @@
+//! Evaluation of a function for all elements at once: fields and orbits.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Context;
+use super::block::{Body, Mode, table_name, variable_ident};
+use super::item::field_name;
+use super::place::{RegionId, Roots};
+use super::plan::PlanCode;
+use crate::ir::{FunctionId, Kind};
+use crate::optimize::{Orbit, Plan, Rows, Staged, Whole};
+use crate::types::Type;
+
+impl Context<'_> {
+    fn orbit_name(&self, id: FunctionId) -> Ident {
+        format_ident!("orbits{}", id.0)
+    }
+
+    /// The table of the orbits of a function.
+    pub(super) fn orbit_plan(
+        &self,
+        id: FunctionId,
+        _plan: &Plan,
+        orbit: &Orbit,
+        code: &mut PlanCode,
+    ) {
+        let name = self.orbit_name(id);
+        let table = table_name(orbit.space);
+        let elements = Literal::usize_unsuffixed(orbit.elements.len());
+        let members = Literal::usize_unsuffixed(orbit.terms.len());
+        let columns = orbit.columns.iter().map(|c| Literal::u32_unsuffixed(*c));
+        let permutation = orbit
+            .permutation
+            .iter()
+            .map(|p| Literal::usize_unsuffixed(*p));
+        code.fields
+            .extend(quote!(pub #name: ::std::option::Option<rt::Orbits<#elements, #members>>,));
+        code.names.extend(quote!(#name,));
+        code.statements.extend(quote! {
+            let #name = rt::Orbits::<#elements, #members>::build(&#table, &[#(#columns),*], [#(#permutation),*]);
+        });
+    }
+
+    /// The functions that evaluate a function for all elements; `None` where evaluating it for each is all there is.
+    pub(super) fn whole(&self, id: FunctionId, staged: &Staged) -> Option<(Ident, TokenStream)> {
+        let whole = staged.whole.as_ref()?;
+        let function = self.program().function(id);
+        let [key] = function.parameters.as_slice() else {
+            return None;
+        };
+        let Type::Element(element) = key.ty else {
+            return None;
+        };
+        let name = format_ident!("whole{}", id.0);
+        let each = self.function_name(id);
+        let n = self.count(element);
+        let result = self.inner_type(&function.ty);
+        let fields: Vec<FieldCode> = whole.fields.iter().map(|f| self.field(*f)).collect();
+        let (prepare, parameters, arguments): (TokenStream, TokenStream, TokenStream) =
+            fields.iter().fold(
+                Default::default(),
+                |(mut prepare, mut parameters, mut arguments), field| {
+                    let FieldCode { name, ty, value } = field;
+                    prepare.extend(quote! {
+                        let ::std::result::Result::Ok(#name) = #value else {
+                            return rt::for_each_element(#n, |v| #each(s, v));
+                        };
+                        let #name = &#name[..];
+                    });
+                    parameters.extend(quote!(, #name: &[#ty]));
+                    arguments.extend(quote!(, #name));
+                    (prepare, parameters, arguments)
+                },
+            );
+        // a field pays off when its values are used more often than there are elements
+        let pays = self.fields_pay(&staged.plan, whole);
+        let code = match &whole.orbit {
+            None => self.whole_fields(
+                id,
+                staged,
+                whole,
+                &name,
+                (&parameters, &arguments),
+                quote!(#prepare),
+            ),
+            Some(orbit) => {
+                let orbits = self.orbit_name(id);
+                let functions = self.orbit_functions(id, staged, orbit, &parameters);
+                let (terms, single, rest) = (
+                    format_ident!("terms{}", id.0),
+                    format_ident!("term{}", id.0),
+                    format_ident!("rest{}", id.0),
+                );
+                let table = table_name(orbit.space);
+                let zero = self.zero_of(self.program().arena.variable_type(orbit.sum_variable));
+                quote! {
+                    #functions
+                    fn #name(s: &State<'_>) -> rt::Whole<#result> {
+                        let t = &s.topology;
+                        let ::std::option::Option::Some(orbits) = &s.plans.#orbits else {
+                            return rt::for_each_element(#n, |v| #each(s, v));
+                        };
+                        #prepare
+                        let sums = orbits.sums(
+                            &s.plans.#table,
+                            #zero,
+                            |elements| #terms(s, elements #arguments),
+                            |key, row| #single(s, key, row #arguments),
+                        )?;
+                        rt::for_each_element(#n, |v| #rest(s, v, sums[v as usize] #arguments))
+                    }
+                }
+            }
+        };
+        let guard = match fields.is_empty() {
+            true => TokenStream::new(),
+            false => quote!(if !(#pays) { return rt::for_each_element(#n, |v| #each(s, v)); }),
+        };
+        let entry = format_ident!("all{}", id.0);
+        Some((
+            entry.clone(),
+            quote! {
+                #code
+                pub fn #entry(s: &State<'_>) -> rt::Whole<#result> {
+                    let t = &s.topology;
+                    #guard
+                    #name(s)
+                }
+            },
+        ))
+    }
+
+    fn field(&self, id: FunctionId) -> FieldCode {
+        let function = self.program().function(id);
+        let Type::Element(element) = function.parameters[0].ty else {
+            panic!("bug in iheartmesh: a field of something other than an element");
+        };
+        let (n, each) = (self.count(element), self.function_name(id));
+        FieldCode {
+            name: field_name(id),
+            ty: self.inner_type(&function.ty),
+            value: quote!(rt::for_each_element(#n, |v| #each(s, v))),
+        }
+    }
+
+    /// Whether the rows that use fields are more than the elements of these.
+    fn fields_pay(&self, plan: &Plan, whole: &Whole) -> TokenStream {
+        let rows = plan
+            .spaces
+            .iter()
+            .filter(|s| matches!(s.rows, Rows::Members(_)))
+            .map(|s| {
+                let table = table_name(s.variable);
+                quote!(s.plans.#table.len())
+            });
+        let elements =
+            whole
+                .fields
+                .iter()
+                .map(|f| match self.program().function(*f).parameters[0].ty {
+                    Type::Element(element) => self.count(element),
+                    _ => quote!(0usize),
+                });
+        quote!(0usize #(+ #rows)* > 0usize #(+ #elements)*)
+    }
+
+    /// Evaluation for each element over fields.
+    fn whole_fields(
+        &self,
+        id: FunctionId,
+        staged: &Staged,
+        whole: &Whole,
+        name: &Ident,
+        (parameters, arguments): (&TokenStream, &TokenStream),
+        prepare: TokenStream,
+    ) -> TokenStream {
+        let function = self.program().function(id);
+        let each = format_ident!("each{}", id.0);
+        let Type::Element(element) = function.parameters[0].ty else {
+            return TokenStream::new();
+        };
+        let n = self.count(element);
+        let key = variable_ident(self, function.parameters[0].variable);
+        let result = self.inner_type(&function.ty);
+        let prelude = self.prelude(&[whole.body]);
+        let row = self.key_row(&staged.plan);
+        let body = Body::single(self, Mode::Dynamic, &staged.plan, whole.body);
+        quote! {
+            fn #each(s: &State<'_>, #key: u32 #parameters) -> rt::Fallible<#result> {
+                #prelude #row #body
+            }
+            fn #name(s: &State<'_>) -> rt::Whole<#result> {
+                let t = &s.topology;
+                #prepare
+                rt::for_each_element(#n, |v| #each(s, v #arguments))
+            }
+        }
+    }
+
+    /// The terms of a group, of a single row, and what is done with the sum.
+    fn orbit_functions(
+        &self,
+        id: FunctionId,
+        staged: &Staged,
+        orbit: &Orbit,
+        parameters: &TokenStream,
+    ) -> TokenStream {
+        let function = self.program().function(id);
+        let arena = &self.program().arena;
+        let plan = &staged.plan;
+        let value = self.inner_type(arena.variable_type(orbit.sum_variable));
+        let result = self.inner_type(&function.ty);
+        let n_elements = Literal::usize_unsuffixed(orbit.elements.len());
+        let n_members = Literal::usize_unsuffixed(orbit.terms.len());
+        let n_columns =
+            Literal::usize_unsuffixed(plan.space(orbit.space).map_or(0, |s| s.columns.len()));
+        let (terms, single, rest) = (
+            format_ident!("terms{}", id.0),
+            format_ident!("term{}", id.0),
+            format_ident!("rest{}", id.0),
+        );
+
+        let mut roots = Roots::default();
+        let region = roots.region(None, None);
+        orbit.terms.iter().for_each(|t| roots.need(region, *t));
+        let mut body = Body::new(self, Mode::Dynamic, plan, &roots);
+        body.variables = orbit
+            .elements
+            .iter()
+            .enumerate()
+            .map(|(k, v)| {
+                let k = Literal::usize_unsuffixed(k);
+                (*v, quote!(elements[#k]))
+            })
+            .collect::<BTreeMap<_, _>>();
+        let statements = body.statements(RegionId(region), &orbit.terms);
+        let results: Vec<TokenStream> = orbit.terms.iter().map(|t| body.owned(*t)).collect();
+        let prelude = self.prelude(&orbit.terms);
+        let terms_code = quote! {
+            fn #terms(s: &State<'_>, elements: [u32; #n_elements] #parameters) -> rt::Fallible<[#value; #n_members]> {
+                #prelude #statements
+                ::std::result::Result::Ok([#(#results),*])
+            }
+        };
+
+        let Kind::Fold { body: term, .. } = arena.kind(orbit.sum) else {
+            panic!("bug in iheartmesh: an orbit of no sum");
+        };
+        let key = variable_ident(self, function.parameters[0].variable);
+        let row = super::block::row_name(orbit.space);
+        let prelude = self.prelude(&[*term]);
+        let term_code = Body::single(self, Mode::Dynamic, plan, *term);
+        let single_code = quote! {
+            fn #single(s: &State<'_>, #key: u32, #row: &[u32; #n_columns] #parameters) -> rt::Fallible<#value> {
+                #prelude #term_code
+            }
+        };
+
+        let sum = variable_ident(self, orbit.sum_variable);
+        let prelude = self.prelude(&[orbit.rest]);
+        let key_row = self.key_row(plan);
+        let rest_code = Body::single(self, Mode::Dynamic, plan, orbit.rest);
+        quote! {
+            #terms_code
+            #single_code
+            fn #rest(s: &State<'_>, #key: u32, #sum: #value #parameters) -> rt::Fallible<#result> {
+                #prelude #key_row #rest_code
+            }
+        }
+    }
+}
+
+struct FieldCode {
+    name: Ident,
+    ty: TokenStream,
+    value: TokenStream,
+}

@@ -1,0 +1,287 @@
+//! Where each expression of a body is evaluated.
+//!
+//! A body is a tree of *regions*: the body itself, the inside of each loop, each branch of a choice. An expression
+//! is evaluated in the innermost region that holds all its uses; it is moved out of loops whose variable it does not
+//! depend on, if it cannot fail. Nothing is moved out of a branch.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::ir::{Arena, ExprId, Kind, VariableId};
+
+/// A region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RegionId(pub usize);
+
+/// Which part of an expression is a region of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Part {
+    /// The inside of a loop.
+    Loop,
+    /// The inside of a loop past its condition.
+    Taken,
+    /// The first branch of a choice.
+    Then,
+    /// The second branch of a choice.
+    Else,
+    /// The right side of `and` and `or`.
+    Right,
+}
+
+#[derive(Clone, Debug)]
+struct Region {
+    parent: Option<RegionId>,
+    depth: usize,
+    /// The variable of a loop.
+    variable: Option<VariableId>,
+    /// The expressions that are evaluated in it, operands first.
+    placed: Vec<ExprId>,
+}
+
+/// The regions of a body and what is evaluated in each.
+#[derive(Clone, Debug)]
+pub struct Placement {
+    regions: Vec<Region>,
+    parts: BTreeMap<(ExprId, Part), RegionId>,
+    place: BTreeMap<ExprId, RegionId>,
+    uses: BTreeMap<ExprId, usize>,
+}
+
+/// What an emitter wants to be evaluated.
+#[derive(Clone, Debug, Default)]
+pub struct Roots {
+    regions: Vec<(Option<usize>, Option<VariableId>)>,
+    roots: Vec<(usize, ExprId)>,
+}
+
+impl Roots {
+    /// A region of the emitter's own: the body itself, or a loop that it writes inside of another of its regions.
+    pub fn region(&mut self, parent: Option<usize>, variable: Option<VariableId>) -> usize {
+        self.regions.push((parent, variable));
+        self.regions.len() - 1
+    }
+
+    /// An expression that is needed in a region.
+    pub fn need(&mut self, region: usize, e: ExprId) {
+        self.roots.push((region, e));
+    }
+}
+
+impl Placement {
+    /// Places all that the roots need. `may_fail` says which expressions fail by themselves; `hoist` whether
+    /// expressions are moved out of loops.
+    pub fn new(
+        arena: &Arena,
+        roots: &Roots,
+        may_fail: impl Fn(ExprId) -> bool,
+        hoist: bool,
+    ) -> Self {
+        let mut placement = Self {
+            regions: Vec::new(),
+            parts: BTreeMap::new(),
+            place: BTreeMap::new(),
+            uses: BTreeMap::new(),
+        };
+        for (parent, variable) in &roots.regions {
+            placement.add_region(parent.map(RegionId), *variable);
+        }
+        let mut pending: BTreeMap<ExprId, RegionId> = BTreeMap::new();
+        for (region, e) in &roots.roots {
+            placement.use_in(&mut pending, *e, RegionId(*region));
+        }
+        let mut fails: BTreeMap<ExprId, bool> = BTreeMap::new();
+        // an operand comes before its uses, so that going backward meets all uses first
+        while let Some((e, used)) = pending.pop_last() {
+            let mut region = used;
+            if hoist && !deep_may_fail(arena, e, &may_fail, &mut fails) {
+                while let Some(outer) = placement.outside_of_loop(arena, e, region) {
+                    region = outer;
+                }
+            }
+            placement.place.insert(e, region);
+            placement.regions[region.0].placed.push(e);
+            placement.use_operands(arena, &mut pending, e, region);
+        }
+        for region in &mut placement.regions {
+            region.placed.reverse();
+        }
+        placement
+    }
+
+    fn add_region(&mut self, parent: Option<RegionId>, variable: Option<VariableId>) -> RegionId {
+        let depth = parent.map_or(0, |p| self.regions[p.0].depth + 1);
+        self.regions.push(Region {
+            parent,
+            depth,
+            variable,
+            placed: Vec::new(),
+        });
+        RegionId(self.regions.len() - 1)
+    }
+
+    fn use_in(&mut self, pending: &mut BTreeMap<ExprId, RegionId>, e: ExprId, region: RegionId) {
+        *self.uses.entry(e).or_insert(0) += 1;
+        let region = match pending.get(&e) {
+            Some(&other) => self.common(other, region),
+            None => region,
+        };
+        pending.insert(e, region);
+    }
+
+    fn use_operands(
+        &mut self,
+        arena: &Arena,
+        pending: &mut BTreeMap<ExprId, RegionId>,
+        e: ExprId,
+        region: RegionId,
+    ) {
+        match arena.kind(e) {
+            Kind::If(condition, a, b) => {
+                let (a, b) = (*a, *b);
+                self.use_in(pending, *condition, region);
+                for (part, branch) in [(Part::Then, a), (Part::Else, b)] {
+                    let inside = self.add_region(Some(region), None);
+                    self.parts.insert((e, part), inside);
+                    self.use_in(pending, branch, inside);
+                }
+            }
+            Kind::And(a, b) | Kind::Or(a, b) => {
+                let b = *b;
+                self.use_in(pending, *a, region);
+                let inside = self.add_region(Some(region), None);
+                self.parts.insert((e, Part::Right), inside);
+                self.use_in(pending, b, inside);
+            }
+            Kind::Fold {
+                variable,
+                condition,
+                body,
+                range,
+                ..
+            } => {
+                match range {
+                    crate::ir::Range::Set(set) => self.use_in(pending, *set, region),
+                    crate::ir::Range::Integers(from, to) => {
+                        self.use_in(pending, *from, region);
+                        self.use_in(pending, *to, region);
+                    }
+                    crate::ir::Range::Rows => {}
+                }
+                let mut inside = self.add_region(Some(region), Some(*variable));
+                self.parts.insert((e, Part::Loop), inside);
+                if let Some(condition) = condition {
+                    self.use_in(pending, *condition, inside);
+                    inside = self.add_region(Some(inside), None);
+                    self.parts.insert((e, Part::Taken), inside);
+                }
+                self.use_in(pending, *body, inside);
+            }
+            kind => kind.operands(|operand| self.use_in(pending, operand, region)),
+        }
+    }
+
+    /// The region around the loop that a region is the inside of, if the expression does not depend on its variable.
+    fn outside_of_loop(&self, arena: &Arena, e: ExprId, region: RegionId) -> Option<RegionId> {
+        let region = &self.regions[region.0];
+        let variable = region.variable?;
+        match arena.depends_on(e, variable) {
+            true => None,
+            false => region.parent,
+        }
+    }
+
+    fn common(&self, mut a: RegionId, mut b: RegionId) -> RegionId {
+        while a != b {
+            let (da, db) = (self.regions[a.0].depth, self.regions[b.0].depth);
+            let up = |r: RegionId| self.regions[r.0].parent;
+            if da >= db {
+                match up(a) {
+                    Some(parent) => a = parent,
+                    // regions of different trees have no common one; the emitter never asks for this
+                    None => return b,
+                }
+            } else {
+                match up(b) {
+                    Some(parent) => b = parent,
+                    None => return a,
+                }
+            }
+        }
+        a
+    }
+
+    /// The expressions that are evaluated in a region, operands first.
+    pub fn placed(&self, region: RegionId) -> &[ExprId] {
+        &self.regions[region.0].placed
+    }
+
+    /// The region that a part of an expression is.
+    pub fn part(&self, e: ExprId, part: Part) -> RegionId {
+        self.parts[&(e, part)]
+    }
+
+    /// How often the value of an expression is used where it is evaluated; more than 1 where it is used from a region
+    /// further in. `is_result` says that its single use is as the result of the region.
+    pub fn uses(&self, arena: &Arena, e: ExprId, is_result: bool) -> usize {
+        let uses = self.uses.get(&e).copied().unwrap_or(0);
+        if uses != 1 || is_result {
+            return uses;
+        }
+        // a single use from further in must not be written there: it would be evaluated again and again
+        let here = self.place[&e];
+        let used_here = self.regions[here.0].placed.iter().any(|&user| {
+            let mut found = false;
+            match arena.kind(user) {
+                Kind::If(condition, ..) => found = *condition == e,
+                Kind::And(a, _) | Kind::Or(a, _) => found = *a == e,
+                Kind::Fold { range, .. } => {
+                    found = match range {
+                        crate::ir::Range::Set(set) => *set == e,
+                        crate::ir::Range::Integers(from, to) => *from == e || *to == e,
+                        crate::ir::Range::Rows => false,
+                    }
+                }
+                kind => kind.operands(|operand| found |= operand == e),
+            }
+            found
+        });
+        if used_here { 1 } else { 2 }
+    }
+
+    /// Whether an expression is the direct result of the region it is evaluated in: a branch, or the body of a loop.
+    pub fn is_result_here(&self, arena: &Arena, e: ExprId) -> bool {
+        let here = self.place[&e];
+        self.parts.iter().any(|((owner, part), region)| {
+            *region == here
+                && match (arena.kind(*owner), part) {
+                    (Kind::If(_, a, _), Part::Then) => *a == e,
+                    (Kind::If(_, _, b), Part::Else) => *b == e,
+                    (Kind::And(_, b) | Kind::Or(_, b), Part::Right) => *b == e,
+                    (Kind::Fold { condition, .. }, Part::Loop) if *condition == Some(e) => true,
+                    (Kind::Fold { body, .. }, Part::Loop | Part::Taken) => *body == e,
+                    _ => false,
+                }
+        })
+    }
+
+    /// All expressions that are evaluated somewhere.
+    pub fn all(&self) -> BTreeSet<ExprId> {
+        self.place.keys().copied().collect()
+    }
+}
+
+fn deep_may_fail(
+    arena: &Arena,
+    e: ExprId,
+    own: &impl Fn(ExprId) -> bool,
+    memo: &mut BTreeMap<ExprId, bool>,
+) -> bool {
+    if let Some(&known) = memo.get(&e) {
+        return known;
+    }
+    let mut any = own(e);
+    arena
+        .kind(e)
+        .operands(|operand| any = any || deep_may_fail(arena, operand, own, memo));
+    memo.insert(e, any);
+    any
+}

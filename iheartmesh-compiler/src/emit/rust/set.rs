@@ -1,0 +1,211 @@
+//! Sets, chains and boundary matrices.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::block::Body;
+use crate::ir::{Boundary, ExprId, Kind, SetOp};
+use crate::types::Type;
+
+impl Body<'_> {
+    /// A set of elements as a sorted slice of `u32`.
+    pub(super) fn ids(&mut self, e: ExprId) -> TokenStream {
+        if self.names.contains_key(&e) {
+            let reference = self.reference(e);
+            return quote!(&(#reference)[..]);
+        }
+        match self.kind(e) {
+            // a parameter or an input is a slice already
+            Kind::Variable(v) => self.variable_name(*v),
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                quote!(&s.#field[..])
+            }
+            Kind::Global(id) => {
+                let name = self.context.global_name(*id);
+                match self.context.is_static_global(*id) {
+                    true => quote!(&t.#name()?[..]),
+                    false => quote!(&s.#name()?[..]),
+                }
+            }
+            _ => {
+                let value = self.value(e);
+                quote!(&#value[..])
+            }
+        }
+    }
+
+    /// The value of a set, a chain, or of what is asked of one.
+    pub(super) fn set_value(&mut self, e: ExprId) -> TokenStream {
+        let elements = self.ty(e).element_of_set().is_some();
+        match self.kind(e) {
+            Kind::AllElements(element) => {
+                let n = self.context.count(*element);
+                quote!(rt::all(#n))
+            }
+            Kind::Set(items) => {
+                let items: Vec<_> = items.iter().map(|i| self.owned(*i)).collect();
+                match (elements, items.as_slice()) {
+                    (true, [single]) => quote!(rt::singleton(#single)),
+                    (true, items) => quote!(rt::sorted(rt::Ids::from_slice(&[#(#items),*]))),
+                    (false, items) => {
+                        let ty = self.context.inner_type(self.ty(e));
+                        quote!(<#ty as ::std::convert::From<::std::vec::Vec<_>>>::from(::std::vec![#(#items),*]))
+                    }
+                }
+            }
+            Kind::SetOp(op, a, b) if elements => {
+                let (a, b) = (self.ids(*a), self.ids(*b));
+                match op {
+                    SetOp::Union => quote!(rt::union(#a, #b)),
+                    SetOp::Intersection => quote!(rt::intersection(#a, #b)),
+                    SetOp::Difference => quote!(rt::difference(#a, #b)),
+                }
+            }
+            Kind::SetOp(op, a, b) => {
+                let (a, b) = (self.reference(*a), self.reference(*b));
+                match op {
+                    SetOp::Union => quote!((#a).union(#b)),
+                    SetOp::Intersection => quote!((#a).intersection(#b)),
+                    SetOp::Difference => quote!((#a).difference(#b)),
+                }
+            }
+            Kind::Cardinality(set) => self.cardinality(*set),
+            Kind::SetItem(set, index) => {
+                let index = self.owned(*index);
+                let site = self.context.site(e);
+                let set = self.slice(*set);
+                match super::block::is_copy(self.ty(e)) {
+                    true => quote!(*rt::entry(#set, #index, #site)?),
+                    false => quote!(rt::entry(#set, #index, #site)?.clone()),
+                }
+            }
+            Kind::Sized(set, n) => {
+                let site = self.context.site(e);
+                let n = Literal::u32_unsuffixed(*n);
+                let value = self.owned(*set);
+                quote!(rt::sized(#value, #n, #site)?)
+            }
+            Kind::Member(item, set) => self.member(*item, *set),
+            Kind::Indicator(set) => {
+                let set = self.ids(*set);
+                quote!(rt::Chain::indicator(#set))
+            }
+            Kind::Apply(boundary, chain) => {
+                let chain = self.reference(*chain);
+                let (mesh, k, signed, transposed) = self.boundary(*boundary);
+                quote!(rt::Chain::product(#mesh, #k, #signed, #transposed, #chain))
+            }
+            Kind::NonZeros(chain) => {
+                let chain = self.reference(*chain);
+                quote!((#chain).non_zeros())
+            }
+            Kind::ValueSet(chain, value) => {
+                let (chain, value) = (self.reference(*chain), self.owned(*value));
+                quote!((#chain).where_equal(#value))
+            }
+            Kind::Traverse(boundary, set) => self.traverse(*boundary, *set),
+            Kind::Entry(boundary, row, column) => {
+                let (row, column) = match boundary.transposed {
+                    true => (*column, *row),
+                    false => (*row, *column),
+                };
+                let (row, column) = (self.owned(row), self.owned(column));
+                let (mesh, k, signed, _) = self.boundary(*boundary);
+                let entry =
+                    quote!((#mesh.boundary_entry(#k, #row as usize, #column as usize) as i64));
+                match signed {
+                    true => entry,
+                    false => quote!(#entry.abs()),
+                }
+            }
+            Kind::Boundary(boundary) => {
+                let (mesh, k, signed, transposed) = self.boundary(*boundary);
+                quote!(rt::boundary_as_matrix(#mesh, #k, #signed, #transposed))
+            }
+            other => panic!("bug in iheartmesh: no Rust for {other:?}"),
+        }
+    }
+
+    /// A set as a slice of its members.
+    fn slice(&mut self, set: ExprId) -> TokenStream {
+        if self.ty(set).element_of_set().is_some() {
+            return self.ids(set);
+        }
+        let set = self.reference(set);
+        quote!((#set).as_slice())
+    }
+
+    fn cardinality(&mut self, set: ExprId) -> TokenStream {
+        if let Kind::AllElements(element) = self.kind(set) {
+            let n = self.context.count(*element);
+            return quote!((#n as i64));
+        }
+        let set = self.slice(set);
+        quote!(((#set).len() as i64))
+    }
+
+    fn member(&mut self, item: ExprId, set: ExprId) -> TokenStream {
+        if let Kind::AllElements(element) = self.kind(set) {
+            let n = self.context.count(*element);
+            let item = self.owned(item);
+            return quote!(((#item as usize) < #n));
+        }
+        let elements = self.ty(set).element_of_set().is_some();
+        let item = self.reference(item);
+        match elements {
+            true => {
+                let set = self.ids(set);
+                quote!((#set).binary_search(#item).is_ok())
+            }
+            false => {
+                let set = self.reference(set);
+                quote!((#set).contains(#item))
+            }
+        }
+    }
+
+    /// The mesh, the number of a boundary matrix, whether it has signs, whether it is transposed.
+    fn boundary(&self, boundary: Boundary) -> (TokenStream, TokenStream, bool, bool) {
+        let mesh = self.context.mesh_field(boundary.mesh);
+        let k = Literal::u8_unsuffixed(boundary.dimension);
+        (
+            quote!(t.#mesh.complex()),
+            quote!(#k),
+            boundary.signed,
+            boundary.transposed,
+        )
+    }
+
+    /// The elements that a boundary matrix connects to those of a set. Of a single element they stand in the matrix.
+    fn traverse(&mut self, boundary: Boundary, set: ExprId) -> TokenStream {
+        let (mesh, k, _, transposed) = self.boundary(boundary);
+        let single = match (self.kind(set), self.names.contains_key(&set)) {
+            (Kind::Set(items), false) if items.len() == 1 => Some(items[0]),
+            _ => None,
+        };
+        match (single, transposed) {
+            (Some(item), false) => {
+                let item = self.owned(item);
+                quote!(rt::Ids::from_slice(#mesh.boundary_elements(#k, #item as usize)))
+            }
+            (Some(item), true) => {
+                let item = self.owned(item);
+                quote!(rt::Ids::from_slice(#mesh.coboundary_elements(#k, #item as usize)))
+            }
+            (None, false) => {
+                let set = self.ids(set);
+                quote!(rt::boundary_of(#mesh, #k, #set))
+            }
+            (None, true) => {
+                let set = self.ids(set);
+                quote!(rt::coboundary_of(#mesh, #k, #set))
+            }
+        }
+    }
+
+    /// Whether a value is handed to functions by reference.
+    pub(super) fn is_by_reference(ty: &Type) -> bool {
+        matches!(ty, Type::Set(_) | Type::CellularSet(_))
+    }
+}

@@ -1,0 +1,289 @@
+//! Hash-consed storage of expressions.
+
+use std::collections::BTreeMap;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use super::{Kind, Range, VariableId};
+use crate::span::Span;
+use crate::types::Type;
+
+/// An expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExprId(pub u32);
+
+/// What the arena knows of an expression.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// What it is.
+    pub kind: Kind,
+    /// Type of its value.
+    pub ty: Type,
+    /// Variables that occur in it and are not bound in it, ascending.
+    pub free: Rc<[VariableId]>,
+}
+
+/// All expressions of a program. An operand always comes before what it is an operand of.
+#[derive(Clone, Debug, Default)]
+pub struct Arena {
+    nodes: Vec<Node>,
+    // only looked up, never iterated: the order of nodes is that of their creation
+    index: HashMap<(Kind, Type), ExprId>,
+    origins: BTreeMap<ExprId, Span>,
+    variables: Vec<(String, Type)>,
+}
+
+impl Arena {
+    /// The expression of this kind and type.
+    pub fn add(&mut self, kind: Kind, ty: Type) -> ExprId {
+        let key = (kind, ty);
+        if let Some(&id) = self.index.get(&key) {
+            return id;
+        }
+        let id = ExprId(self.nodes.len() as u32);
+        let free = self.free_of(&key.0);
+        self.nodes.push(Node {
+            kind: key.0.clone(),
+            ty: key.1.clone(),
+            free,
+        });
+        self.index.insert(key, id);
+        id
+    }
+
+    /// The expression of this kind and type, if there is one already.
+    pub fn find(&self, kind: &Kind, ty: &Type) -> Option<ExprId> {
+        self.index.get(&(kind.clone(), ty.clone())).copied()
+    }
+
+    /// Notes where an expression came from, for messages at run time; the first note stays.
+    pub fn note_origin(&mut self, id: ExprId, span: Span) {
+        self.origins.entry(id).or_insert(span);
+    }
+
+    /// Where an expression came from.
+    pub fn origin(&self, id: ExprId) -> Option<Span> {
+        self.origins.get(&id).copied()
+    }
+
+    /// The node of an expression.
+    pub fn node(&self, id: ExprId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    /// The kind of an expression.
+    pub fn kind(&self, id: ExprId) -> &Kind {
+        &self.node(id).kind
+    }
+
+    /// The type of an expression.
+    pub fn ty(&self, id: ExprId) -> &Type {
+        &self.node(id).ty
+    }
+
+    /// Whether a variable occurs free in an expression.
+    pub fn depends_on(&self, id: ExprId, variable: VariableId) -> bool {
+        self.node(id).free.binary_search(&variable).is_ok()
+    }
+
+    /// A new variable.
+    pub fn new_variable(&mut self, name: &str, ty: Type) -> VariableId {
+        self.variables.push((name.to_owned(), ty));
+        VariableId(self.variables.len() as u32 - 1)
+    }
+
+    /// The author's name of a variable.
+    pub fn variable_name(&self, variable: VariableId) -> &str {
+        &self.variables[variable.0 as usize].0
+    }
+
+    /// The type of a variable.
+    pub fn variable_type(&self, variable: VariableId) -> &Type {
+        &self.variables[variable.0 as usize].1
+    }
+
+    /// The expression that is a variable.
+    pub fn variable(&mut self, variable: VariableId) -> ExprId {
+        let ty = self.variable_type(variable).clone();
+        self.add(Kind::Variable(variable), ty)
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i64) -> ExprId {
+        self.add(Kind::Integer(value), Type::INTEGER)
+    }
+
+    /// A real number.
+    pub fn real(&mut self, value: f64) -> ExprId {
+        self.add(Kind::Real(value.to_bits()), Type::REAL)
+    }
+
+    /// Number of expressions so far.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no expression yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    fn free_of(&self, kind: &Kind) -> Rc<[VariableId]> {
+        let mut free: Vec<VariableId> = Vec::new();
+        if let Kind::Variable(variable) | Kind::Column(variable, _) = kind {
+            free.push(*variable);
+        }
+        kind.operands(|operand| free.extend_from_slice(&self.node(operand).free));
+        if let Kind::Fold {
+            variable, range, ..
+        } = kind
+        {
+            free.retain(|v| v != variable);
+            // the range is outside the scope of the variable; it cannot hold it, since each variable has one binder
+            if let Range::Set(set) = range {
+                debug_assert!(!self.depends_on(*set, *variable));
+            }
+        }
+        free.sort_unstable();
+        free.dedup();
+        free.into()
+    }
+}
+
+impl Kind {
+    /// Calls `f` with each direct operand, in order of evaluation.
+    pub fn operands(&self, mut f: impl FnMut(ExprId)) {
+        match self {
+            Kind::Integer(_)
+            | Kind::Real(_)
+            | Kind::Boolean(_)
+            | Kind::Variable(_)
+            | Kind::Input(_)
+            | Kind::Global(_)
+            | Kind::AllElements(_)
+            | Kind::Boundary(_)
+            | Kind::Fail
+            | Kind::Column(..) => {}
+            Kind::Call(_, list) | Kind::Vector(list) | Kind::Tuple(list) | Kind::Set(list) => {
+                list.iter().copied().for_each(f)
+            }
+            Kind::Unary(_, a)
+            | Kind::Not(a)
+            | Kind::Length(a)
+            | Kind::Project(a, _)
+            | Kind::Cardinality(a)
+            | Kind::Sized(a, _)
+            | Kind::Indicator(a)
+            | Kind::Apply(_, a)
+            | Kind::NonZeros(a)
+            | Kind::Traverse(_, a)
+            | Kind::Field(_, a) => f(*a),
+            Kind::Binary(_, a, b)
+            | Kind::Compare(_, a, b)
+            | Kind::And(a, b)
+            | Kind::Or(a, b)
+            | Kind::Component(a, b)
+            | Kind::Item(a, b)
+            | Kind::SetOp(_, a, b)
+            | Kind::SetItem(a, b)
+            | Kind::Member(a, b)
+            | Kind::ValueSet(a, b)
+            | Kind::Entry(_, a, b) => {
+                f(*a);
+                f(*b);
+            }
+            Kind::If(a, b, c) => {
+                f(*a);
+                f(*b);
+                f(*c);
+            }
+            Kind::Fold {
+                range,
+                condition,
+                body,
+                ..
+            } => {
+                match range {
+                    Range::Set(set) => f(*set),
+                    Range::Integers(from, to) => {
+                        f(*from);
+                        f(*to);
+                    }
+                    Range::Rows => {}
+                }
+                condition.iter().copied().for_each(&mut f);
+                f(*body);
+            }
+        }
+    }
+
+    /// The same kind with each direct operand replaced.
+    pub fn map_operands(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Kind {
+        let mut kind = self.clone();
+        match &mut kind {
+            Kind::Integer(_)
+            | Kind::Real(_)
+            | Kind::Boolean(_)
+            | Kind::Variable(_)
+            | Kind::Input(_)
+            | Kind::Global(_)
+            | Kind::AllElements(_)
+            | Kind::Boundary(_)
+            | Kind::Fail
+            | Kind::Column(..) => {}
+            Kind::Call(_, list) | Kind::Vector(list) | Kind::Tuple(list) | Kind::Set(list) => {
+                list.iter_mut().for_each(|e| *e = f(*e))
+            }
+            Kind::Unary(_, a)
+            | Kind::Not(a)
+            | Kind::Length(a)
+            | Kind::Project(a, _)
+            | Kind::Cardinality(a)
+            | Kind::Sized(a, _)
+            | Kind::Indicator(a)
+            | Kind::Apply(_, a)
+            | Kind::NonZeros(a)
+            | Kind::Traverse(_, a)
+            | Kind::Field(_, a) => *a = f(*a),
+            Kind::Binary(_, a, b)
+            | Kind::Compare(_, a, b)
+            | Kind::And(a, b)
+            | Kind::Or(a, b)
+            | Kind::Component(a, b)
+            | Kind::Item(a, b)
+            | Kind::SetOp(_, a, b)
+            | Kind::SetItem(a, b)
+            | Kind::Member(a, b)
+            | Kind::ValueSet(a, b)
+            | Kind::Entry(_, a, b) => {
+                *a = f(*a);
+                *b = f(*b);
+            }
+            Kind::If(a, b, c) => {
+                *a = f(*a);
+                *b = f(*b);
+                *c = f(*c);
+            }
+            Kind::Fold {
+                range,
+                condition,
+                body,
+                ..
+            } => {
+                match range {
+                    Range::Set(set) => *set = f(*set),
+                    Range::Integers(from, to) => {
+                        *from = f(*from);
+                        *to = f(*to);
+                    }
+                    Range::Rows => {}
+                }
+                if let Some(condition) = condition {
+                    *condition = f(*condition);
+                }
+                *body = f(*body);
+            }
+        }
+        kind
+    }
+}

@@ -1,0 +1,332 @@
+//! How programs are shown: `hlangc --emit ir` and `--emit plan`.
+
+use std::fmt::Write;
+
+use super::{
+    Arena, Binary, Boundary, ExprId, Fold, FunctionId, Kind, Program, Range, SetOp, Unary,
+};
+use crate::syntax::ast::CompareOp;
+
+/// All of a program: inputs, definitions, functions.
+pub fn program(program: &Program) -> String {
+    let mut text = String::new();
+    for id in &program.input_order {
+        let input = program.input(*id);
+        let _ = writeln!(text, "input {} : {}", input.name, input.ty);
+    }
+    for global in &program.globals {
+        let ty = program.arena.ty(global.value);
+        let _ = writeln!(
+            text,
+            "let {} : {ty} = {}",
+            global.name,
+            expression(program, global.value)
+        );
+    }
+    for id in program.function_ids() {
+        let _ = writeln!(text, "{}", function(program, id));
+    }
+    text
+}
+
+/// The types of inputs, definitions and functions: `hlangc --emit types`.
+pub fn types(program: &Program) -> String {
+    let mut text = String::new();
+    for id in &program.input_order {
+        let input = program.input(*id);
+        let _ = writeln!(text, "parameter {} : {}", input.name, input.ty);
+    }
+    for global in &program.globals {
+        let _ = writeln!(
+            text,
+            "definition {} : {}",
+            global.name,
+            program.arena.ty(global.value)
+        );
+    }
+    for function in &program.functions {
+        let parameters: Vec<String> = function
+            .parameters
+            .iter()
+            .map(|p| match p.within_name.is_empty() {
+                true => format!("{} : {}", p.name, p.ty),
+                false => format!("{} : {} of {}", p.name, p.ty, p.within_name),
+            })
+            .collect();
+        let _ = writeln!(
+            text,
+            "{} {}({}) : {}",
+            if function.own {
+                "function"
+            } else {
+                "imported function"
+            },
+            function.name,
+            parameters.join(", "),
+            function.ty
+        );
+    }
+    text
+}
+
+/// A function on a line of its own.
+fn function(program: &Program, id: FunctionId) -> String {
+    let function = program.function(id);
+    let parameters: Vec<String> = function
+        .parameters
+        .iter()
+        .map(|p| format!("{} : {}", p.name, p.ty))
+        .collect();
+    format!(
+        "fn {}#{}({}) : {}{} =\n    {}",
+        function.name,
+        id.0,
+        parameters.join(", "),
+        function.ty,
+        if function.recursive {
+            ", recursive"
+        } else {
+            ""
+        },
+        expression(program, function.body)
+    )
+}
+
+/// An expression in one line.
+pub fn expression(program: &Program, e: ExprId) -> String {
+    let mut text = String::new();
+    Writer {
+        program,
+        text: &mut text,
+    }
+    .expr(e);
+    text
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    text: &'a mut String,
+}
+
+impl Writer<'_> {
+    fn arena(&self) -> &Arena {
+        &self.program.arena
+    }
+
+    fn put(&mut self, text: &str) {
+        self.text.push_str(text);
+    }
+
+    fn list(&mut self, items: &[ExprId]) {
+        for (k, item) in items.iter().enumerate() {
+            if k > 0 {
+                self.put(", ");
+            }
+            self.expr(*item);
+        }
+    }
+
+    fn call(&mut self, name: &str, items: &[ExprId]) {
+        self.put(name);
+        self.put("(");
+        self.list(items);
+        self.put(")");
+    }
+
+    fn infix(&mut self, a: ExprId, sign: &str, b: ExprId) {
+        self.put("(");
+        self.expr(a);
+        self.put(sign);
+        self.expr(b);
+        self.put(")");
+    }
+
+    fn expr(&mut self, e: ExprId) {
+        let kind = self.arena().kind(e).clone();
+        match &kind {
+            Kind::Integer(v) => self.put(&v.to_string()),
+            Kind::Real(bits) => self.put(&format!("{:?}", f64::from_bits(*bits))),
+            Kind::Boolean(v) => self.put(&v.to_string()),
+            Kind::Variable(v) => {
+                let name = format!("{}.{}", self.arena().variable_name(*v), v.0);
+                self.put(&name);
+            }
+            Kind::Input(id) => {
+                let name = self.program.input(*id).name.clone();
+                self.put(&name);
+            }
+            Kind::Global(id) => {
+                let name = self.program.global(*id).name.clone();
+                self.put(&name);
+            }
+            Kind::AllElements(element) => {
+                let text = format!(
+                    "{}[{}]",
+                    crate::types::display::plural(element.kind),
+                    self.program.mesh(element.mesh).name
+                );
+                self.put(&text);
+            }
+            Kind::Boundary(b) => {
+                let name = self.boundary(*b);
+                self.put(&name);
+            }
+            Kind::Call(id, arguments) => {
+                let name = format!("{}#{}", self.program.function(*id).name, id.0);
+                self.call(&name, arguments);
+            }
+            Kind::Field(id, a) => {
+                let name = format!("field {}#{}", self.program.function(*id).name, id.0);
+                self.put(&name);
+                self.put("[");
+                self.expr(*a);
+                self.put("]");
+            }
+            Kind::Unary(op, a) => {
+                let name = match op {
+                    Unary::Negate => "-".to_owned(),
+                    Unary::Absolute => "abs".to_owned(),
+                    Unary::SquareRoot => "sqrt".to_owned(),
+                    Unary::Norm => "norm".to_owned(),
+                    Unary::ToReal => "real".to_owned(),
+                    Unary::ToInteger => "integer".to_owned(),
+                    Unary::Apply(function) => format!("{function:?}").to_lowercase(),
+                };
+                self.call(&name, &[*a]);
+            }
+            Kind::Binary(op, a, b) => match op {
+                Binary::Add => self.infix(*a, " + ", *b),
+                Binary::Subtract => self.infix(*a, " - ", *b),
+                Binary::Multiply => self.infix(*a, " * ", *b),
+                Binary::Divide => self.infix(*a, " / ", *b),
+                Binary::Power => self.infix(*a, " ^ ", *b),
+                Binary::Dot => self.infix(*a, " ⋅ ", *b),
+                Binary::Cross => self.infix(*a, " × ", *b),
+                Binary::Atan2 => self.call("atan2", &[*a, *b]),
+                Binary::Min => self.call("min", &[*a, *b]),
+                Binary::Max => self.call("max", &[*a, *b]),
+            },
+            Kind::Compare(op, a, b) => self.infix(*a, compare_sign(*op), *b),
+            Kind::And(a, b) => self.infix(*a, " and ", *b),
+            Kind::Or(a, b) => self.infix(*a, " or ", *b),
+            Kind::Not(a) => self.call("not", &[*a]),
+            Kind::Vector(items) => self.call("vector", items),
+            Kind::Component(a, b) | Kind::Item(a, b) | Kind::SetItem(a, b) => {
+                self.expr(*a);
+                self.put("[");
+                self.expr(*b);
+                self.put("]");
+            }
+            Kind::Length(a) => self.call("length", &[*a]),
+            Kind::Tuple(items) => self.call("tuple", items),
+            Kind::Project(a, k) => {
+                self.expr(*a);
+                self.put(&format!(".{k}"));
+            }
+            Kind::Set(items) => {
+                self.put("{");
+                self.list(items);
+                self.put("}");
+            }
+            Kind::SetOp(op, a, b) => {
+                let sign = match op {
+                    SetOp::Union => " ∪ ",
+                    SetOp::Intersection => " ∩ ",
+                    SetOp::Difference => " ∖ ",
+                };
+                self.infix(*a, sign, *b);
+            }
+            Kind::Cardinality(a) => self.call("cardinality", &[*a]),
+            Kind::Sized(a, n) => self.call(&format!("exactly {n} "), &[*a]),
+            Kind::Member(a, b) => self.infix(*a, " ∈ ", *b),
+            Kind::Indicator(a) => self.call("indicator", &[*a]),
+            Kind::Apply(b, a) => {
+                let name = format!("{} ", self.boundary(*b));
+                self.call(&name, &[*a]);
+            }
+            Kind::NonZeros(a) => self.call("nonzeros", &[*a]),
+            Kind::ValueSet(a, b) => self.call("valueset", &[*a, *b]),
+            Kind::Traverse(b, a) => {
+                let name = format!("traverse {} ", self.boundary(*b));
+                self.call(&name, &[*a]);
+            }
+            Kind::Entry(b, row, column) => {
+                let name = self.boundary(*b);
+                self.put(&name);
+                self.put("[");
+                self.list(&[*row, *column]);
+                self.put("]");
+            }
+            Kind::Fold {
+                op,
+                variable,
+                range,
+                condition,
+                body,
+            } => {
+                let sign = match op {
+                    Fold::Sum => "∑",
+                    Fold::Product => "∏",
+                    Fold::Union => "∪",
+                    Fold::Min => "min",
+                    Fold::Max => "max",
+                    Fold::Collect => "set",
+                };
+                let name = format!("{}.{}", self.arena().variable_name(*variable), variable.0);
+                self.put(&format!("{sign}({name} in "));
+                match range {
+                    Range::Set(set) => self.expr(*set),
+                    Range::Integers(from, to) => {
+                        self.expr(*from);
+                        self.put("..=");
+                        self.expr(*to);
+                    }
+                    Range::Rows => self.put("rows"),
+                }
+                if let Some(condition) = condition {
+                    self.put(" if ");
+                    self.expr(*condition);
+                }
+                self.put(": ");
+                self.expr(*body);
+                self.put(")");
+            }
+            Kind::If(condition, a, b) => {
+                self.put("(if ");
+                self.expr(*condition);
+                self.put(" then ");
+                self.expr(*a);
+                self.put(" else ");
+                self.expr(*b);
+                self.put(")");
+            }
+            Kind::Fail => self.put("fail"),
+            Kind::Column(variable, k) => {
+                let name = self.arena().variable_name(*variable).to_owned();
+                self.put(&format!("{name}.{}⟨{k}⟩", variable.0));
+            }
+        }
+    }
+
+    fn boundary(&self, b: Boundary) -> String {
+        format!(
+            "{}{}{}[{}]",
+            if b.signed { "∂" } else { "B" },
+            b.dimension,
+            if b.transposed { "ᵀ" } else { "" },
+            self.program.mesh(b.mesh).name
+        )
+    }
+}
+
+/// The sign of a relation, with spaces.
+pub fn compare_sign(op: CompareOp) -> &'static str {
+    match op {
+        CompareOp::Equal => " = ",
+        CompareOp::NotEqual => " ≠ ",
+        CompareOp::Less => " < ",
+        CompareOp::LessOrEqual => " ≤ ",
+        CompareOp::Greater => " > ",
+        CompareOp::GreaterOrEqual => " ≥ ",
+    }
+}

@@ -1,0 +1,245 @@
+//! The intermediate language: one small, pure, typed expression language.
+//!
+//! An expression is a node of an [`Arena`]. Structurally equal expressions are one node (hash-consing), so a
+//! value that is used twice is written once. Binders are explicit: a node that binds a [`VariableId`] holds it, and
+//! every variable is bound at one place. *When* an expression is evaluated is not part of the language: the
+//! only expressions that must not be evaluated before their place are the branches of [`Kind::If`], the right side
+//! of [`Kind::And`] and [`Kind::Or`], and what stands inside a binder, because they may fail or not end.
+//!
+//! Elements are host numbers (from 0), integers are mathematical (from 1 where they index).
+//!
+//! **Invariant:** nothing here knows the syntax tree or Rust. Types agree as [`validate`] says, after every
+//! pass.
+
+mod arena;
+mod display;
+mod program;
+pub mod validate;
+
+pub use arena::{Arena, ExprId, Node};
+pub use display::{expression, program, types};
+pub use program::{
+    Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Parameter, Program,
+    Site,
+};
+
+use crate::syntax::ast::CompareOp;
+use crate::types::{Element, MeshId};
+
+/// A bound variable or a function's parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct VariableId(pub u32);
+
+/// Operations with one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Unary {
+    /// `-a`.
+    Negate,
+    /// `|a|` of a number.
+    Absolute,
+    /// `√a`.
+    SquareRoot,
+    /// `‖a‖₂` of a vector.
+    Norm,
+    /// An integer as a real number.
+    ToReal,
+    /// The mathematical number of an element: its host number plus one.
+    ToInteger,
+    /// A function of one real number, or of each entry of a vector.
+    Apply(Elementary),
+}
+
+/// Elementary functions of one real number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "each is the function of its name")]
+pub enum Elementary {
+    Sin,
+    Cos,
+    Tan,
+    Cot,
+    Sec,
+    Csc,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
+    Exp,
+    Ln,
+    Log2,
+    Log10,
+}
+
+/// Operations with two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Binary {
+    /// Sum of numbers or of vectors.
+    Add,
+    /// Difference of numbers or of vectors.
+    Subtract,
+    /// A number times a number or a vector; the number is on the left.
+    Multiply,
+    /// A number or a vector divided by a number.
+    Divide,
+    /// A number to the power of a number.
+    Power,
+    /// Dot product of vectors.
+    Dot,
+    /// Cross product of vectors of length 3.
+    Cross,
+    /// `atan2(y, x)`.
+    Atan2,
+    /// The lesser number.
+    Min,
+    /// The greater number.
+    Max,
+}
+
+/// Operations with two sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SetOp {
+    /// Elements of either.
+    Union,
+    /// Elements of both.
+    Intersection,
+    /// Elements of the left one only.
+    Difference,
+}
+
+/// Big operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Fold {
+    /// `∑`.
+    Sum,
+    /// `∏`.
+    Product,
+    /// Big `∪`.
+    Union,
+    /// The least value; fails when there is none.
+    Min,
+    /// The greatest value; fails when there is none.
+    Max,
+    /// `{ … for … }`: the set of the values.
+    Collect,
+}
+
+/// What a bound variable runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Range {
+    /// The members of a set, ascending.
+    Set(ExprId),
+    /// The integers from the first to the second, both included.
+    Integers(ExprId, ExprId),
+    /// The rows of a plan: the space that has the bound variable's name. The variable's own value is a column.
+    Rows,
+}
+
+/// One boundary matrix of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Boundary {
+    /// The mesh.
+    pub mesh: MeshId,
+    /// Its columns are the elements of this dimension, its rows those of one less: 1 for vertices by edges.
+    pub dimension: u8,
+    /// Entries with signs, or their absolute values.
+    pub signed: bool,
+    /// Rows and columns exchanged.
+    pub transposed: bool,
+}
+
+/// The kinds of expressions.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// An integer.
+    Integer(i64),
+    /// A real number, by its bits.
+    Real(u64),
+    /// Truth.
+    Boolean(bool),
+    /// A bound variable.
+    Variable(VariableId),
+    /// A value handed in by the host.
+    Input(InputId),
+    /// A definition without parameters.
+    Global(GlobalId),
+    /// All elements of a kind.
+    AllElements(Element),
+    /// A boundary matrix.
+    Boundary(Boundary),
+    /// A call of a function of the program.
+    Call(FunctionId, Vec<ExprId>),
+    /// One operand.
+    Unary(Unary, ExprId),
+    /// Two operands.
+    Binary(Binary, ExprId, ExprId),
+    /// A comparison of numbers, elements or sets.
+    Compare(CompareOp, ExprId, ExprId),
+    /// The right side is evaluated only when the left one holds.
+    And(ExprId, ExprId),
+    /// The right side is evaluated only when the left one does not hold.
+    Or(ExprId, ExprId),
+    /// Negation of a condition.
+    Not(ExprId),
+    /// A column vector of numbers.
+    Vector(Vec<ExprId>),
+    /// An entry of a vector, by its number from 1.
+    Component(ExprId, ExprId),
+    /// An item of a sequence, by an element or by its number from 1.
+    Item(ExprId, ExprId),
+    /// Number of items of a sequence, entries of a vector.
+    Length(ExprId),
+    /// A tuple.
+    Tuple(Vec<ExprId>),
+    /// An item of a tuple, from 0.
+    Project(ExprId, u32),
+    /// A set by its members.
+    Set(Vec<ExprId>),
+    /// Two sets.
+    SetOp(SetOp, ExprId, ExprId),
+    /// Number of members.
+    Cardinality(ExprId),
+    /// A member of a set in ascending order, by its number from 1; fails when there is none.
+    SetItem(ExprId, ExprId),
+    /// A set (left) that must have exactly as many members as the number says; fails otherwise.
+    Sized(ExprId, u32),
+    /// Whether an item is a member of a set.
+    Member(ExprId, ExprId),
+    /// The chain that is 1 at the members of a set.
+    Indicator(ExprId),
+    /// Product of a boundary matrix and a chain.
+    Apply(Boundary, ExprId),
+    /// The elements where a chain is not 0.
+    NonZeros(ExprId),
+    /// The elements where a chain has the value on the right.
+    ValueSet(ExprId, ExprId),
+    /// The elements that a boundary matrix connects to a member of the set: the non-zero entries of its unsigned
+    /// product with the indicator of the set.
+    Traverse(Boundary, ExprId),
+    /// An entry of a boundary matrix, by row and column element.
+    Entry(Boundary, ExprId, ExprId),
+    /// A loop.
+    Fold {
+        /// How the values are put together.
+        op: Fold,
+        /// The bound variable.
+        variable: VariableId,
+        /// What it runs over.
+        range: Range,
+        /// Which of them are taken.
+        condition: Option<ExprId>,
+        /// The value for each.
+        body: ExprId,
+    },
+    /// A choice; only the chosen branch is evaluated.
+    If(ExprId, ExprId, ExprId),
+    /// No case applies.
+    Fail,
+    /// A column of the current row of a plan: of the space with this variable.
+    Column(VariableId, u32),
+    /// The value of a function of one element that has been computed for all elements beforehand.
+    Field(FunctionId, ExprId),
+}

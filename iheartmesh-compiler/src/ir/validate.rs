@@ -1,0 +1,89 @@
+//! Checks that a program keeps the rules of the intermediate language; run after every pass in tests and in
+//! builds with debug assertions.
+
+use super::{Binary, ExprId, Kind, Program, Range};
+use crate::types::Type;
+
+/// The first broken rule, if there is one.
+///
+/// # Errors
+/// Names the expression and the rule. This is always a bug of the compiler.
+pub fn validate(program: &Program) -> Result<(), String> {
+    for global in &program.globals {
+        let free = &program.arena.node(global.value).free;
+        if !free.is_empty() {
+            return Err(format!("`{}` has free variables", global.name));
+        }
+        tree(program, global.value)?;
+    }
+    for function in &program.functions {
+        let free = &program.arena.node(function.body).free;
+        let bound = |v| function.parameters.iter().any(|p| p.variable == v);
+        if let Some(v) = free.iter().find(|v| !bound(**v)) {
+            return Err(format!(
+                "`{}` has the free variable `{}`",
+                function.name,
+                program.arena.variable_name(*v)
+            ));
+        }
+        tree(program, function.body)?;
+    }
+    Ok(())
+}
+
+fn tree(program: &Program, e: ExprId) -> Result<(), String> {
+    let mut seen = std::collections::BTreeSet::new();
+    let mut open = vec![e];
+    while let Some(e) = open.pop() {
+        if !seen.insert(e) {
+            continue;
+        }
+        node(program, e).map_err(|rule| format!("{rule}: {}", super::expression(program, e)))?;
+        program.arena.kind(e).operands(|operand| open.push(operand));
+    }
+    Ok(())
+}
+
+fn node(program: &Program, e: ExprId) -> Result<(), String> {
+    let arena = &program.arena;
+    let ty = |e: ExprId| arena.ty(e);
+    let check = |holds: bool, rule: &str| if holds { Ok(()) } else { Err(rule.to_owned()) };
+    let mut order = Ok(());
+    arena.kind(e).operands(|operand| {
+        if operand >= e {
+            order = Err("an operand comes after its use".to_owned());
+        }
+    });
+    order?;
+    match arena.kind(e) {
+        Kind::Binary(Binary::Add | Binary::Subtract, a, b) => check(
+            ty(*a) == ty(*b) && ty(*a) == ty(e),
+            "a sum of different types",
+        ),
+        Kind::Binary(Binary::Multiply, a, b) => check(
+            ty(*a).is_scalar() && ty(*b) == ty(e),
+            "a product without a number on the left",
+        ),
+        Kind::Binary(Binary::Divide, a, b) => check(
+            *ty(*b) == Type::REAL && ty(*a) == ty(e),
+            "a quotient by something other than a real number",
+        ),
+        Kind::If(condition, a, b) => check(
+            *ty(*condition) == Type::Boolean && ty(*a) == ty(e) && ty(*b) == ty(e),
+            "a choice between different types",
+        ),
+        Kind::SetOp(_, a, b) => check(ty(*a) == ty(*b), "an operation on different sets"),
+        Kind::Call(id, arguments) => check(
+            program.function(*id).parameters.len() == arguments.len(),
+            "a call with a wrong number of arguments",
+        ),
+        Kind::Fold {
+            range: Range::Set(set),
+            ..
+        } => check(
+            matches!(ty(*set), Type::Set(_)),
+            "a loop over something other than a set",
+        ),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,318 @@
+//! What depends only on the mesh is computed once per mesh and stored in tables: the plan.
+//!
+//! ```text
+//! ∑_(f ∈ Faces(v)) g(x_j) where j = next(f, v)  ⟶  ∑ over rows of v: g(x_⟨column 0⟩)
+//! ```
+//!
+//! A loop over a static set becomes a loop over the rows of a *space*; a static element, integer or condition that
+//! dynamic code uses becomes a *column* of the deepest space that it depends on. A function of one element has the
+//! rows of its plan keyed by that element.
+
+use std::collections::HashMap;
+
+use super::binding::{Binding, Expressions};
+use super::{Column, Plan, Rows, Space, Staged, StagedProgram};
+use crate::ir::{Arena, ExprId, Function, FunctionId, GlobalId, Kind, Program, Range, VariableId};
+use crate::types::{Element, Type};
+
+/// Stages every function and definition that depends on values. Without `tabulate` the plans are empty.
+pub fn run(staged: &mut StagedProgram, binding: &Binding, tabulate: bool) {
+    let may_fail = MayFail::of(&staged.program);
+    for id in staged.program.function_ids() {
+        if binding.functions[id.0 as usize] {
+            continue;
+        }
+        let function = staged.program.function(id).clone();
+        let variables = function.parameters.iter().filter(|p| p.ty.is_element());
+        let variables = variables.map(|p| p.variable).collect();
+        let key = tabulate.then(|| key(&function)).flatten();
+        let result = stage(
+            &mut staged.program,
+            binding,
+            &may_fail,
+            variables,
+            key,
+            function.body,
+            tabulate,
+        );
+        staged.functions.insert(id, result);
+    }
+    for k in 0..staged.program.globals.len() {
+        if !binding.globals[k] {
+            let value = staged.program.globals[k].value;
+            let result = stage(
+                &mut staged.program,
+                binding,
+                &may_fail,
+                Vec::new(),
+                None,
+                value,
+                tabulate,
+            );
+            staged.globals.insert(GlobalId(k as u32), result);
+        }
+    }
+}
+
+/// The parameter that the rows of a function's plan are keyed by: its only element.
+fn key(function: &Function) -> Option<(VariableId, Element)> {
+    let mut elements = function.parameters.iter().filter_map(|p| match p.ty {
+        Type::Element(element) => Some((p.variable, element)),
+        _ => None,
+    });
+    match (elements.next(), elements.next()) {
+        (Some(key), None) => Some(key),
+        _ => None,
+    }
+}
+
+fn stage(
+    program: &mut Program,
+    binding: &Binding,
+    may_fail: &MayFail,
+    variables: Vec<VariableId>,
+    key: Option<(VariableId, Element)>,
+    body: ExprId,
+    tabulate: bool,
+) -> Staged {
+    if !tabulate {
+        return Staged {
+            body,
+            plan: Plan::default(),
+            whole: None,
+        };
+    }
+    // binding times of everything in the body, before the arena grows
+    let mut times = HashMap::new();
+    {
+        let mut expressions = binding.expression(program, variables);
+        collect(&program.arena, body, &mut expressions, &mut times);
+    }
+    let mut stager = Stager {
+        arena: &mut program.arena,
+        times,
+        may_fail,
+        plan: Plan::default(),
+        chains: HashMap::new(),
+        memo: HashMap::new(),
+    };
+    if let Some((variable, element)) = key {
+        stager.plan.spaces.push(Space {
+            variable,
+            parent: None,
+            rows: Rows::Key(element),
+            columns: Vec::new(),
+        });
+        stager.chains.insert(variable, vec![variable]);
+    }
+    let body = stager.expr(body);
+    let mut plan = stager.plan;
+    // a key without columns and without rows below it needs no table
+    let is_used = |space: &Space, all: &[Space]| {
+        !space.columns.is_empty()
+            || !matches!(space.rows, Rows::Key(_))
+            || all.iter().any(|s| s.parent == Some(space.variable))
+    };
+    let all = plan.spaces.clone();
+    plan.spaces.retain(|space| is_used(space, &all));
+    Staged {
+        body,
+        plan,
+        whole: None,
+    }
+}
+
+fn collect(
+    arena: &Arena,
+    e: ExprId,
+    expressions: &mut Expressions<'_>,
+    times: &mut HashMap<ExprId, bool>,
+) {
+    if times.contains_key(&e) {
+        return;
+    }
+    times.insert(e, expressions.is_static(e));
+    arena
+        .kind(e)
+        .operands(|operand| collect(arena, operand, expressions, times));
+}
+
+struct Stager<'a> {
+    arena: &'a mut Arena,
+    times: HashMap<ExprId, bool>,
+    may_fail: &'a MayFail,
+    plan: Plan,
+    /// For each space the variables that its rows are known by, the own one last.
+    chains: HashMap<VariableId, Vec<VariableId>>,
+    memo: HashMap<ExprId, ExprId>,
+}
+
+impl Stager<'_> {
+    fn is_static(&self, e: ExprId) -> bool {
+        self.times.get(&e).copied().unwrap_or(false)
+    }
+
+    fn expr(&mut self, e: ExprId) -> ExprId {
+        if let Some(&done) = self.memo.get(&e) {
+            return done;
+        }
+        let done = self.column(e).unwrap_or_else(|| self.inside(e));
+        self.memo.insert(e, done);
+        done
+    }
+
+    /// The expression as a column of a space, where it can be one.
+    fn column(&mut self, e: ExprId) -> Option<ExprId> {
+        let ty = self.arena.ty(e).clone();
+        if !self.is_static(e) || !matches!(ty, Type::Element(_) | Type::INTEGER | Type::Boolean) {
+            return None;
+        }
+        if matches!(
+            self.arena.kind(e),
+            Kind::Integer(_) | Kind::Boolean(_) | Kind::Fail
+        ) {
+            return None;
+        }
+        let space = self.deepest(e)?;
+        let position = self.plan.spaces.iter().position(|s| s.variable == space)?;
+        let rows = self.plan.spaces[position].rows;
+        if *self.arena.kind(e) == Kind::Variable(space) && !matches!(rows, Rows::Members(_)) {
+            return None;
+        }
+        let may_fail = self.may_fail.expr(self.arena, e);
+        let columns = &mut self.plan.spaces[position].columns;
+        let index = columns
+            .iter()
+            .position(|c| c.value == e)
+            .unwrap_or_else(|| {
+                columns.push(Column { value: e, may_fail });
+                columns.len() - 1
+            });
+        let column = self.arena.add(Kind::Column(space, index as u32), ty);
+        if let Some(span) = self.arena.origin(e) {
+            self.arena.note_origin(column, span);
+        }
+        Some(column)
+    }
+
+    /// The space that an expression belongs to: the deepest one whose rows determine all its variables.
+    fn deepest(&self, e: ExprId) -> Option<VariableId> {
+        let free = &self.arena.node(e).free;
+        let deepest = free
+            .iter()
+            .filter_map(|v| self.chains.get(v))
+            .max_by_key(|chain| chain.len())?;
+        let known = free.iter().all(|v| deepest.contains(v));
+        known.then(|| deepest[deepest.len() - 1])
+    }
+
+    fn inside(&mut self, e: ExprId) -> ExprId {
+        let mut kind = self.arena.kind(e).clone();
+        if let Kind::Fold {
+            variable,
+            range: Range::Set(set),
+            ..
+        } = kind
+            && !self.is_static(e)
+            && let Some(space) = self.space(variable, set)
+        {
+            let chain = space.parent.map_or(Vec::new(), |p| self.chains[&p].clone());
+            self.chains
+                .insert(variable, chain.into_iter().chain([variable]).collect());
+            self.plan.spaces.push(space);
+            if let Kind::Fold { range, .. } = &mut kind {
+                *range = Range::Rows;
+            }
+        }
+        let kind = kind.map_operands(|operand| self.expr(operand));
+        let ty = self.arena.ty(e).clone();
+        let done = self.arena.add(kind, ty);
+        if let Some(span) = self.arena.origin(e) {
+            self.arena.note_origin(done, span);
+        }
+        done
+    }
+
+    /// The rows of a loop over a static set, if they can be stored.
+    fn space(&self, variable: VariableId, set: ExprId) -> Option<Space> {
+        if !self.is_static(set) || !self.arena.variable_type(variable).is_element() {
+            return None;
+        }
+        let (parent, rows) = match self.arena.kind(set) {
+            Kind::AllElements(element) => (None, Rows::Universe(*element)),
+            _ if self.may_fail.expr(self.arena, set) => return None,
+            _ if self.arena.node(set).free.is_empty() => (None, Rows::Members(set)),
+            _ => (Some(self.deepest(set)?), Rows::Members(set)),
+        };
+        Some(Space {
+            variable,
+            parent,
+            rows,
+            columns: Vec::new(),
+        })
+    }
+}
+
+/// Which expressions may fail when they are evaluated.
+#[derive(Clone, Debug)]
+pub struct MayFail {
+    functions: Vec<bool>,
+    globals: Vec<bool>,
+}
+
+impl MayFail {
+    /// What may fail in a program. A function that recurses may, since nothing says that it ends.
+    pub fn of(program: &Program) -> Self {
+        let mut all = Self {
+            functions: program.functions.iter().map(|f| f.recursive).collect(),
+            globals: vec![false; program.globals.len()],
+        };
+        loop {
+            let before = all.clone();
+            for (k, function) in program.functions.iter().enumerate() {
+                all.functions[k] =
+                    before.functions[k] || before.expr(&program.arena, function.body);
+            }
+            for (k, global) in program.globals.iter().enumerate() {
+                all.globals[k] = before.globals[k] || before.expr(&program.arena, global.value);
+            }
+            if all.functions == before.functions && all.globals == before.globals {
+                return all;
+            }
+        }
+    }
+
+    /// Whether a function may fail.
+    pub fn function(&self, id: FunctionId) -> bool {
+        self.functions[id.0 as usize]
+    }
+
+    /// Whether evaluating an expression may fail.
+    pub fn expr(&self, arena: &Arena, e: ExprId) -> bool {
+        let mut seen = std::collections::BTreeSet::new();
+        let mut open = vec![e];
+        while let Some(e) = open.pop() {
+            if !seen.insert(e) {
+                continue;
+            }
+            if self.own(arena, e) {
+                return true;
+            }
+            arena.kind(e).operands(|operand| open.push(operand));
+        }
+        false
+    }
+
+    /// Whether an expression itself may fail, when its operands do not.
+    pub fn own(&self, arena: &Arena, e: ExprId) -> bool {
+        match arena.kind(e) {
+            Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) => true,
+            Kind::Fold { op, .. } => matches!(op, crate::ir::Fold::Min | crate::ir::Fold::Max),
+            Kind::Component(_, index) => !matches!(arena.kind(*index), Kind::Integer(_)),
+            Kind::Item(_, index) => !arena.ty(*index).is_element(),
+            Kind::Call(id, _) => self.function(*id),
+            Kind::Global(id) => self.globals[id.0 as usize],
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! Which names an expression uses that it does not bind itself.
+
+use crate::syntax::ast::{
+    Condition, ConditionKind, Declaration, Definition, Expr, ExprKind, Head, Name, NormSubscript,
+    Subscript, Type, TypeKind,
+};
+
+/// Walks expressions and calls back with every name that is not bound on the way.
+pub struct FreeNames<'a> {
+    bound: Vec<String>,
+    found: &'a mut dyn FnMut(&Name),
+}
+
+impl<'a> FreeNames<'a> {
+    /// A walk under binders of these names.
+    pub fn new(bound: Vec<String>, found: &'a mut dyn FnMut(&Name)) -> Self {
+        Self { bound, found }
+    }
+
+    fn name(&mut self, name: &Name) {
+        if !self.bound.contains(&name.text) {
+            (self.found)(name);
+        }
+    }
+
+    fn under(&mut self, names: &[&Name], walk: impl FnOnce(&mut Self)) {
+        let depth = self.bound.len();
+        self.bound.extend(names.iter().map(|n| n.text.clone()));
+        walk(self);
+        self.bound.truncate(depth);
+    }
+
+    fn subscripts(&mut self, subscripts: &[Subscript]) {
+        for subscript in subscripts {
+            if let Subscript::Expr(e) = subscript {
+                self.expr(e);
+            }
+        }
+    }
+
+    /// The names of an expression.
+    pub fn expr(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Integer(_)
+            | ExprKind::Real(_)
+            | ExprKind::Pi
+            | ExprKind::Infinity
+            | ExprKind::Error => {}
+            ExprKind::Name(name) => self.name(name),
+            ExprKind::Subscript { base, subscripts } => {
+                self.expr(base);
+                self.subscripts(subscripts);
+            }
+            ExprKind::Call {
+                function,
+                subscripts,
+                arguments,
+            } => {
+                self.name(function);
+                subscripts
+                    .iter()
+                    .chain(arguments)
+                    .for_each(|e| self.expr(e));
+            }
+            ExprKind::Unary { operand, .. } => self.expr(operand),
+            ExprKind::Binary { left, right, .. } => {
+                self.expr(left);
+                self.expr(right);
+            }
+            ExprKind::Norm {
+                operand, subscript, ..
+            } => {
+                self.expr(operand);
+                if let Some(NormSubscript::Expr(e)) = subscript
+                    && !matches!(&e.kind, ExprKind::Name(n) if n.text == "F")
+                {
+                    self.expr(e);
+                }
+            }
+            ExprKind::Inner {
+                left,
+                right,
+                weight,
+            } => {
+                self.expr(left);
+                self.expr(right);
+                weight.iter().for_each(|e| self.expr(e));
+            }
+            ExprKind::Vector(items) | ExprKind::Set(items) => {
+                items.iter().for_each(|e| self.expr(e))
+            }
+            ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|e| self.expr(e)),
+            ExprKind::Builder {
+                element,
+                variables,
+                range,
+                condition,
+            } => {
+                self.expr(range);
+                let names: Vec<_> = variables.iter().collect();
+                self.under(&names, |walk| {
+                    walk.expr(element);
+                    condition.iter().for_each(|c| walk.condition(c));
+                });
+            }
+            ExprKind::NumberMatrix { rows, columns, .. } => {
+                self.expr(rows);
+                columns.iter().for_each(|e| self.expr(e));
+            }
+            ExprKind::Big {
+                head, body, locals, ..
+            } => {
+                let (names, condition): (Vec<&Name>, Option<&Condition>) = match head {
+                    Head::Index(name) => (vec![name], None),
+                    Head::Filtered(name, condition) => (vec![name], Some(condition)),
+                    Head::Members(names, range) => {
+                        self.expr(range);
+                        (names.iter().collect(), None)
+                    }
+                    Head::Range(name, from, to) => {
+                        self.expr(from);
+                        self.expr(to);
+                        (vec![name], None)
+                    }
+                };
+                self.under(&names, |walk| {
+                    walk.locals(locals, |walk| {
+                        condition.iter().for_each(|c| walk.condition(c));
+                        walk.expr(body);
+                    });
+                });
+            }
+            ExprKind::Piecewise {
+                branches,
+                otherwise,
+            } => {
+                for (value, condition) in branches {
+                    self.condition(condition);
+                    self.expr(value);
+                }
+                otherwise.iter().for_each(|e| self.expr(e));
+            }
+            ExprKind::Optimise {
+                variables,
+                objective,
+                constraints,
+                initial,
+                ..
+            } => {
+                variables.iter().for_each(|d| self.declaration(d));
+                let names: Vec<&Name> = variables
+                    .iter()
+                    .flat_map(|d| &d.targets)
+                    .map(|t| &t.name)
+                    .collect();
+                self.under(&names, |walk| {
+                    walk.expr(objective);
+                    constraints.iter().for_each(|c| walk.condition(c));
+                    initial.iter().for_each(|d| walk.definition(d));
+                });
+            }
+            ExprKind::Integral {
+                variable,
+                from,
+                to,
+                body,
+            } => {
+                self.expr(from);
+                self.expr(to);
+                self.under(&[variable], |walk| walk.expr(body));
+            }
+            ExprKind::Derivative {
+                numerator,
+                denominators,
+                ..
+            } => {
+                self.expr(numerator);
+                denominators.iter().for_each(|(e, _)| self.expr(e));
+            }
+            ExprKind::Gradient { variable, operand } => {
+                variable.iter().for_each(|e| self.expr(e));
+                self.expr(operand);
+            }
+            ExprKind::Laplacian(operand) | ExprKind::Divergence(operand) => self.expr(operand),
+        }
+    }
+
+    /// The names of a condition.
+    pub fn condition(&mut self, condition: &Condition) {
+        match &condition.kind {
+            ConditionKind::And(a, b) | ConditionKind::Or(a, b) => {
+                self.condition(a);
+                self.condition(b);
+            }
+            ConditionKind::Compare { left, right, .. } => {
+                self.expr(left);
+                self.expr(right);
+            }
+            ConditionKind::Member { item, set, .. } => {
+                self.expr(item);
+                self.expr(set);
+            }
+            ConditionKind::Error => {}
+        }
+    }
+
+    /// The names of the values of local definitions and of what stands in their scope.
+    pub fn locals(&mut self, locals: &[Definition], scope: impl FnOnce(&mut Self)) {
+        let names: Vec<&Name> = locals
+            .iter()
+            .flat_map(|d| &d.targets)
+            .map(|t| &t.name)
+            .collect();
+        self.under(&names, |walk| {
+            locals.iter().for_each(|d| walk.definition(d));
+            scope(walk);
+        });
+    }
+
+    /// The names of a definition's value and subscripts. Subscripts on the left bind, where they are names.
+    pub fn definition(&mut self, definition: &Definition) {
+        let names: Vec<&Name> = left_indices(definition);
+        self.under(&names, |walk| walk.expr(&definition.value));
+    }
+
+    /// The names that a declaration's type uses, except those that may declare a size.
+    pub fn declaration(&mut self, declaration: &Declaration) {
+        self.ty(&declaration.ty);
+    }
+
+    fn ty(&mut self, ty: &Type) {
+        match &ty.kind {
+            TypeKind::Set(items) | TypeKind::SetOfAlternatives(items) | TypeKind::Tuple(items) => {
+                items.iter().for_each(|t| self.ty(t))
+            }
+            TypeKind::Function {
+                parameters,
+                results,
+            } => parameters.iter().chain(results).for_each(|t| self.ty(t)),
+            TypeKind::Mapping { from, to } => {
+                self.name(from);
+                self.ty(to);
+            }
+            TypeKind::Named(name) => self.name(name),
+            TypeKind::Scalar(_)
+            | TypeKind::Vector { .. }
+            | TypeKind::Matrix { .. }
+            | TypeKind::Mesh(_)
+            | TypeKind::ElementSet(_)
+            | TypeKind::CellularSet => {}
+        }
+    }
+}
+
+/// The indices that an element-wise definition binds: the names among the subscripts on its left side.
+pub fn left_indices(definition: &Definition) -> Vec<&Name> {
+    definition
+        .targets
+        .iter()
+        .flat_map(|t| &t.subscripts)
+        .filter_map(|s| match s {
+            Subscript::Expr(Expr {
+                kind: ExprKind::Name(name),
+                ..
+            }) => Some(name),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The names that the sizes in a type use: they are declared by it, unless something else declares them.
+pub fn dimension_names(ty: &Type, found: &mut dyn FnMut(&Name)) {
+    match &ty.kind {
+        TypeKind::Vector { length, .. } => FreeNames::new(Vec::new(), found).expr(length),
+        TypeKind::Matrix { rows, columns, .. } => {
+            FreeNames::new(Vec::new(), found).expr(rows);
+            FreeNames::new(Vec::new(), found).expr(columns);
+        }
+        TypeKind::Set(items) | TypeKind::SetOfAlternatives(items) | TypeKind::Tuple(items) => {
+            items.iter().for_each(|t| dimension_names(t, found))
+        }
+        TypeKind::Function {
+            parameters,
+            results,
+        } => parameters
+            .iter()
+            .chain(results)
+            .for_each(|t| dimension_names(t, found)),
+        TypeKind::Mapping { to, .. } => dimension_names(to, found),
+        _ => {}
+    }
+}

@@ -1,0 +1,107 @@
+//! What can go wrong when a generated struct is made or used.
+
+use std::fmt;
+
+/// An error of a generated struct.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A sequence has a wrong number of items.
+    Length {
+        /// The parameter.
+        parameter: String,
+        /// Number of its items.
+        found: usize,
+        /// Number of items that it needs, or that it needs at least.
+        expected: usize,
+        /// What it is indexed by, such as ``8 vertices of `M` ``.
+        because: String,
+    },
+    /// Two sequences that are declared with one subscript letter have different lengths.
+    Disagree {
+        /// One parameter.
+        first: String,
+        /// Number of its items.
+        first_length: usize,
+        /// The other parameter.
+        second: String,
+        /// Number of its items.
+        second_length: usize,
+    },
+    /// An element is not in the set that it is declared to be in.
+    NotMember {
+        /// The function; empty for a parameter of the struct.
+        function: String,
+        /// The parameter.
+        parameter: String,
+        /// The element.
+        element: String,
+        /// The set.
+        set: String,
+        /// Number of members of the set.
+        size: usize,
+    },
+    /// A function or definition has no value: something that its formula needs does not exist.
+    Undefined {
+        /// The function with its arguments.
+        call: String,
+        /// What is missing, and where in the text.
+        reason: String,
+    },
+    /// The mesh needs a plan with more rows than `u32` can count.
+    PlanTooLarge,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Length {
+                parameter,
+                found,
+                expected,
+                because,
+            } => write!(
+                f,
+                "`{parameter}` has {found} items but needs {expected}: it is indexed by the {because}"
+            ),
+            Error::Disagree {
+                first,
+                first_length,
+                second,
+                second_length,
+            } => write!(
+                f,
+                "`{first}` has {first_length} items but `{second}` has {second_length}: they are declared with the same \
+                 subscript and must have one length"
+            ),
+            Error::NotMember {
+                function,
+                parameter,
+                element,
+                set,
+                size,
+            } => {
+                if function.is_empty() {
+                    write!(
+                        f,
+                        "`{parameter}` is {element}, which is not in `{set}` ({size} members)"
+                    )
+                } else {
+                    write!(
+                        f,
+                        "parameter `{parameter}` of `{function}` is {element}, which is not in `{set}` ({size} members)"
+                    )
+                }
+            }
+            Error::Undefined { call, reason } => write!(f, "`{call}` has no value: {reason}"),
+            Error::PlanTooLarge => {
+                write!(
+                    f,
+                    "the mesh is too large: its neighbourhoods have more than 2^32 - 2 entries in all"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Error {}

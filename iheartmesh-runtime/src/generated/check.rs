@@ -1,0 +1,165 @@
+//! Checks of what the host hands in, and the errors they give.
+
+use std::fmt;
+
+use super::Fault;
+use crate::complex::CellComplex;
+use crate::{CellularSet, Element, Error, Set, SetItem};
+
+/// An element that is a parameter of the struct.
+pub fn check_element<T: Element>(
+    parameter: &str,
+    element: T,
+    n: usize,
+    mesh: &str,
+) -> Result<(), Error> {
+    if element.index() < n {
+        return Ok(());
+    }
+    Err(not_member("", parameter, element, mesh, n))
+}
+
+/// A set of elements that is a parameter of the struct.
+pub fn check_set<T: Element + SetItem>(
+    parameter: &str,
+    set: &Set<T>,
+    n: usize,
+    mesh: &str,
+) -> Result<(), Error> {
+    check_set_argument("", parameter, set, n, mesh)
+}
+
+/// An element that is an argument of a function.
+#[inline(always)]
+pub fn check_argument<T: Element>(
+    function: &str,
+    parameter: &str,
+    element: T,
+    n: usize,
+    set: &str,
+) -> Result<(), Error> {
+    if element.index() < n {
+        return Ok(());
+    }
+    Err(not_member(function, parameter, element, set, n))
+}
+
+/// A set of elements that is an argument of a function.
+pub fn check_set_argument<T: Element + SetItem>(
+    function: &str,
+    parameter: &str,
+    set: &Set<T>,
+    n: usize,
+    within: &str,
+) -> Result<(), Error> {
+    match set.iter().next_back() {
+        // members are sorted, so that the last one is the largest
+        Some(element) if element.index() >= n => {
+            Err(not_member(function, parameter, *element, within, n))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A cellular set that is an argument of a function.
+pub fn check_cellular_set(
+    function: &str,
+    parameter: &str,
+    set: &CellularSet,
+    complex: &CellComplex,
+) -> Result<(), Error> {
+    let n = |dimension| match dimension <= complex.dimension() {
+        true => complex.n(dimension),
+        false => 0,
+    };
+    check_set_argument(function, parameter, &set.vertices, n(0), "the mesh")?;
+    check_set_argument(function, parameter, &set.edges, n(1), "the mesh")?;
+    check_set_argument(function, parameter, &set.faces, n(2), "the mesh")?;
+    check_set_argument(function, parameter, &set.cells, n(3), "the mesh")
+}
+
+#[cold]
+fn not_member<T: Element>(
+    function: &str,
+    parameter: &str,
+    element: T,
+    set: &str,
+    size: usize,
+) -> Error {
+    Error::NotMember {
+        function: function.to_owned(),
+        parameter: parameter.to_owned(),
+        element: element.to_string(),
+        set: set.to_owned(),
+        size,
+    }
+}
+
+/// The length of a sequence that is indexed by elements; without `exact` it may be longer.
+pub fn check_length(
+    parameter: &str,
+    found: usize,
+    expected: usize,
+    exact: bool,
+    mesh: &str,
+    elements: &str,
+) -> Result<(), Error> {
+    if found == expected || (!exact && found > expected) {
+        return Ok(());
+    }
+    Err(Error::Length {
+        parameter: parameter.to_owned(),
+        found,
+        expected,
+        because: format!("{expected} {elements} of `{mesh}`"),
+    })
+}
+
+/// The lengths of two sequences with one subscript letter.
+pub fn check_same_length(
+    first: &str,
+    first_length: usize,
+    second: &str,
+    second_length: usize,
+) -> Result<(), Error> {
+    if first_length == second_length {
+        return Ok(());
+    }
+    Err(Error::Disagree {
+        first: first.to_owned(),
+        first_length,
+        second: second.to_owned(),
+        second_length,
+    })
+}
+
+/// The error of a call that has no value.
+#[cold]
+pub fn undefined(function: &str, arguments: &[&dyn fmt::Display], fault: Fault) -> Error {
+    let arguments: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+    let call = match arguments.is_empty() {
+        true => function.to_owned(),
+        false => format!("{function}({})", arguments.join(", ")),
+    };
+    Error::Undefined {
+        call,
+        reason: fault.reason.to_owned(),
+    }
+}
+
+/// Ends a call that cannot go on, as indexing past the end of a slice does.
+#[cold]
+#[inline(never)]
+#[track_caller]
+pub fn fail(error: Error) -> ! {
+    panic!("{error}")
+}
+
+/// Shows a value by its debug form.
+pub struct Shown<'a, T>(pub &'a T);
+
+impl<T: fmt::Debug> fmt::Display for Shown<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}

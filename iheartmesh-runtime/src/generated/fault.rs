@@ -1,0 +1,111 @@
+//! Failures of formulas, and accesses that may fail.
+
+use super::{NO_ELEMENT, NO_INTEGER};
+use crate::Error;
+
+/// Why a formula has no value: a text that the compiler wrote for the place in the formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The reason.
+    pub reason: &'static str,
+}
+
+impl Fault {
+    /// A failure with this reason.
+    #[cold]
+    pub const fn new(reason: &'static str) -> Self {
+        Self { reason }
+    }
+}
+
+/// A value, or why there is none.
+pub type Fallible<T> = Result<T, Fault>;
+
+/// Why a plan could not be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PlanError {
+    /// Too many rows.
+    TooLarge,
+    /// A set that it needs for all of the mesh has no value.
+    Fault(Fault),
+}
+
+impl From<Fault> for PlanError {
+    fn from(fault: Fault) -> Self {
+        PlanError::Fault(fault)
+    }
+}
+
+impl From<PlanError> for Error {
+    fn from(error: PlanError) -> Self {
+        match error {
+            PlanError::TooLarge => Error::PlanTooLarge,
+            PlanError::Fault(fault) => Error::Undefined {
+                call: "new".to_owned(),
+                reason: fault.reason.to_owned(),
+            },
+        }
+    }
+}
+
+/// The value at an index, from 0.
+#[inline(always)]
+pub fn at<T>(values: &[T], index: usize, fault: Fault) -> Fallible<&T> {
+    match values.get(index) {
+        Some(value) => Ok(value),
+        None => Err(fault),
+    }
+}
+
+/// The value with a number, from 1.
+#[inline(always)]
+pub fn entry<T>(values: &[T], number: i64, fault: Fault) -> Fallible<&T> {
+    match usize::try_from(number.wrapping_sub(1))
+        .ok()
+        .and_then(|index| values.get(index))
+    {
+        Some(value) => Ok(value),
+        None => Err(fault),
+    }
+}
+
+/// An element of a row, which may be missing.
+#[inline(always)]
+pub fn element(stored: u32, fault: Fault) -> Fallible<u32> {
+    if stored == NO_ELEMENT {
+        Err(fault)
+    } else {
+        Ok(stored)
+    }
+}
+
+/// An integer of a row, which may be missing.
+#[inline(always)]
+pub fn integer(stored: u32, fault: Fault) -> Fallible<i64> {
+    if stored == NO_INTEGER {
+        Err(fault)
+    } else {
+        Ok(i64::from(stored as i32))
+    }
+}
+
+/// An integer as it is stored in a row.
+#[inline]
+pub fn encoded(value: i64) -> Fallible<u32> {
+    match i32::try_from(value) {
+        Ok(value) if value != i32::MIN => Ok(value as u32),
+        _ => Err(Fault::new(
+            "an integer that depends only on the mesh is larger than 2^31",
+        )),
+    }
+}
+
+/// A set that must have so many members.
+#[inline]
+pub fn sized<S: AsRef<[T]>, T>(set: S, n: usize, fault: Fault) -> Fallible<S> {
+    if set.as_ref().len() == n {
+        Ok(set)
+    } else {
+        Err(fault)
+    }
+}

@@ -1,0 +1,28 @@
+//! What generated code calls. No part of the public interface: it changes with the compiler.
+
+mod all;
+mod chain;
+mod check;
+mod fault;
+mod ids;
+mod orbit;
+mod table;
+
+pub use all::{Whole, for_each_element, for_each_of, in_chunks};
+pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
+pub use check::{
+    Shown, check_argument, check_cellular_set, check_element, check_length, check_same_length,
+    check_set, check_set_argument, fail, undefined,
+};
+pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};
+pub use ids::{
+    Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
+    ids_of_set, intersection, set_of_handles, singleton, sorted, union,
+};
+pub use orbit::Orbits;
+pub use table::{Dense, Rows, Table, concatenated};
+
+/// Stands in a row where an element is missing.
+pub const NO_ELEMENT: u32 = u32::MAX;
+/// Stands in a row where an integer is missing.
+pub const NO_INTEGER: u32 = 0x8000_0000;

@@ -1,0 +1,179 @@
+//! The tables of a plan: rows of element numbers.
+
+use rayon::prelude::*;
+
+use super::PlanError;
+
+/// A table that can be filled in parts.
+pub trait Rows: Sized {
+    /// An empty table with room for so many rows.
+    fn with_capacity(rows: usize) -> Self;
+
+    /// The rows of all parts, one after the other.
+    ///
+    /// # Errors
+    /// When there are more rows than `u32` can count.
+    fn concatenated(parts: &[&Self]) -> Result<Self, PlanError>;
+}
+
+/// One row for each element.
+#[derive(Clone, Debug, Default)]
+pub struct Dense<const N: usize> {
+    rows: Vec<[u32; N]>,
+}
+
+impl<const N: usize> Dense<N> {
+    /// Adds the row of the next element.
+    #[inline]
+    pub fn push(&mut self, row: [u32; N]) {
+        self.rows.push(row);
+    }
+
+    /// The row of an element.
+    #[inline(always)]
+    pub fn row(&self, element: usize) -> &[u32; N] {
+        &self.rows[element]
+    }
+
+    /// All elements with their rows.
+    #[inline]
+    pub fn enumerate(&self) -> impl Iterator<Item = (u32, &[u32; N])> {
+        (0u32..).zip(&self.rows)
+    }
+}
+
+impl<const N: usize> Rows for Dense<N> {
+    fn with_capacity(rows: usize) -> Self {
+        Self {
+            rows: Vec::with_capacity(rows),
+        }
+    }
+
+    fn concatenated(parts: &[&Self]) -> Result<Self, PlanError> {
+        let rows = concatenate(&parts.iter().map(|p| p.rows.as_slice()).collect::<Vec<_>>());
+        Ok(Self { rows })
+    }
+}
+
+/// Several rows for each key, in the order of the keys.
+#[derive(Clone, Debug)]
+pub struct Table<const N: usize> {
+    starts: Vec<u32>,
+    rows: Vec<[u32; N]>,
+}
+
+impl<const N: usize> Table<N> {
+    /// Adds a row to the current key.
+    #[inline]
+    pub fn push(&mut self, row: [u32; N]) {
+        self.rows.push(row);
+    }
+
+    /// Goes on to the next key.
+    ///
+    /// # Errors
+    /// When there are more rows than `u32` can count.
+    #[inline]
+    pub fn finish_key(&mut self) -> Result<(), PlanError> {
+        match u32::try_from(self.rows.len()) {
+            Ok(end) => {
+                self.starts.push(end);
+                Ok(())
+            }
+            Err(_) => Err(PlanError::TooLarge),
+        }
+    }
+
+    /// Number of rows.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Number of keys.
+    pub fn n_keys(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The numbers of the rows of a key.
+    #[inline(always)]
+    pub fn range(&self, key: usize) -> std::ops::Range<usize> {
+        self.starts[key] as usize..self.starts[key + 1] as usize
+    }
+
+    /// The rows of a key.
+    #[inline(always)]
+    pub fn rows_of(&self, key: usize) -> &[[u32; N]] {
+        &self.rows[self.range(key)]
+    }
+
+    /// The rows of a key with their numbers.
+    #[inline]
+    pub fn enumerate_rows_of(&self, key: usize) -> impl Iterator<Item = (usize, &[u32; N])> {
+        let range = self.range(key);
+        range.clone().zip(&self.rows[range])
+    }
+
+    /// All rows.
+    pub fn rows(&self) -> &[[u32; N]] {
+        &self.rows
+    }
+}
+
+impl<const N: usize> Rows for Table<N> {
+    fn with_capacity(keys: usize) -> Self {
+        let mut starts = Vec::with_capacity(keys + 1);
+        starts.push(0);
+        Self {
+            starts,
+            // valence 6 is the average on closed triangle meshes
+            rows: Vec::with_capacity(keys.saturating_mul(6)),
+        }
+    }
+
+    fn concatenated(parts: &[&Self]) -> Result<Self, PlanError> {
+        let total: usize = parts.iter().map(|p| p.rows.len()).sum();
+        if u32::try_from(total).is_err() {
+            return Err(PlanError::TooLarge);
+        }
+        let rows = concatenate(&parts.iter().map(|p| p.rows.as_slice()).collect::<Vec<_>>());
+        let mut starts = Vec::with_capacity(1 + parts.iter().map(|p| p.n_keys()).sum::<usize>());
+        starts.push(0);
+        let mut before = 0;
+        for part in parts {
+            starts.extend(part.starts[1..].iter().map(|end| before + end));
+            before += part.rows.len() as u32;
+        }
+        Ok(Self { starts, rows })
+    }
+}
+
+fn concatenate<const N: usize>(parts: &[&[[u32; N]]]) -> Vec<[u32; N]> {
+    let total = parts.iter().map(|p| p.len()).sum();
+    let mut all = vec![[0; N]; total];
+    let mut rest = all.as_mut_slice();
+    let mut pieces = Vec::with_capacity(parts.len());
+    for part in parts {
+        let (piece, after) = rest.split_at_mut(part.len());
+        pieces.push((piece, *part));
+        rest = after;
+    }
+    pieces
+        .into_par_iter()
+        .for_each(|(piece, part)| piece.copy_from_slice(part));
+    all
+}
+
+/// One table of each chunk, put together.
+///
+/// # Errors
+/// When there are more rows than `u32` can count.
+pub fn concatenated<C, T: Rows>(chunks: &[C], table: impl Fn(&C) -> &T) -> Result<T, PlanError> {
+    let parts: Vec<&T> = chunks.iter().map(table).collect();
+    T::concatenated(&parts)
+}
