@@ -17,16 +17,20 @@ pub enum Error {
         /// What it is indexed by, such as ``8 vertices of `M` ``.
         because: String,
     },
-    /// Two sequences that are declared with one subscript letter have different lengths.
-    Disagree {
-        /// One parameter.
-        first: String,
-        /// Number of its items.
-        first_length: usize,
-        /// The other parameter.
-        second: String,
-        /// Number of its items.
-        second_length: usize,
+    /// Two parameters disagree on a size.
+    Size {
+        /// The parameter.
+        parameter: String,
+        /// Which size of it: its length, its number of rows or columns.
+        what: String,
+        /// That size.
+        found: i64,
+        /// The size that it should have.
+        expected: i64,
+        /// How that size is written in the program.
+        written: String,
+        /// The parameter that the size was read from.
+        source: String,
     },
     /// An element is not in the set that it is declared to be in.
     NotMember {
@@ -64,16 +68,23 @@ impl fmt::Display for Error {
                 f,
                 "`{parameter}` has {found} items but needs {expected}: it is indexed by the {because}"
             ),
-            Error::Disagree {
-                first,
-                first_length,
-                second,
-                second_length,
-            } => write!(
-                f,
-                "`{first}` has {first_length} items but `{second}` has {second_length}: they are declared with the same \
-                 subscript and must have one length"
-            ),
+            Error::Size {
+                parameter,
+                what,
+                found,
+                expected,
+                written,
+                source,
+            } => {
+                write!(
+                    f,
+                    "the {what} of `{parameter}` is {found} but should be {expected}: it is `{written}`"
+                )?;
+                match source.is_empty() || source == parameter {
+                    true => write!(f, ", which does not change after construction"),
+                    false => write!(f, ", and `{source}` says so"),
+                }
+            }
             Error::NotMember {
                 function,
                 parameter,

@@ -43,7 +43,7 @@ pub use set::{Set, SetItem};
 pub use values::{OwnedOrBorrowed, Values};
 
 // the crates whose types stand in the interface of generated code
-pub use {glam, sprs};
+pub use {glam, nalgebra, sprs};
 
 #[doc(hidden)]
 pub use generated as __private;

@@ -7,7 +7,7 @@ use crate::ir::{Binary, Boundary, Elementary, ExprId, Fold, Kind, Range, Unary};
 use crate::resolve::symbols::count;
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
-use crate::types::{ELEMENT_KINDS, Element, ElementKind, MeshId, Type, mesh_dimension};
+use crate::types::{ELEMENT_KINDS, Element, ElementKind, MeshId, Shape, Type, mesh_dimension};
 
 fn elementary(name: &str) -> Option<Elementary> {
     Some(match name {
@@ -81,6 +81,129 @@ impl<'a> Checker<'a> {
                 let (y, x) = (self.real(values[0]), self.real(values[1]));
                 self.add(Kind::Binary(Binary::Atan2, y, x), Type::REAL)
             }
+            "trace" | "tr" => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) if !n.differs(&m) => Some((Unary::Trace, Type::REAL)),
+                    _ => None,
+                },
+                "a square matrix",
+            ),
+            "det" => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) if !n.differs(&m) => Some((Unary::Determinant, Type::REAL)),
+                    _ => None,
+                },
+                "a square matrix",
+            ),
+            "rank" => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(..) => Some((Unary::Rank, Type::INTEGER)),
+                    _ => None,
+                },
+                "a matrix",
+            ),
+            "inv" => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) if !n.differs(&m) => {
+                        Some((Unary::Inverse, Type::real_matrix(n, m)))
+                    }
+                    _ => None,
+                },
+                "a square matrix",
+            ),
+            "diag" if values.len() == 1 => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) if !n.differs(&m) => {
+                        Some((Unary::Diagonal, Type::real_vector(n)))
+                    }
+                    Shape::Vector(n) => Some((Unary::Diagonal, Type::real_matrix(n.clone(), n))),
+                    _ => None,
+                },
+                "a vector or a square matrix",
+            ),
+            "vec" => self.linear(
+                &call,
+                |checker, ty| match ty.shape() {
+                    Some(Shape::Vector(n)) => Some((Unary::Reshape, Type::real_vector(n))),
+                    Some(Shape::Matrix(n, m)) => {
+                        let length = n.multiply(&m).unwrap_or_else(|| checker.new_dimension());
+                        Some((Unary::Stack, Type::real_vector(length)))
+                    }
+                    _ => match ty {
+                        Type::Sequence { item, length, .. } => {
+                            let (n, m) = item.shape().and_then(super::operator::extents)?;
+                            let each = n.multiply(&m).and_then(|each| each.multiply(length));
+                            let length = each.unwrap_or_else(|| checker.new_dimension());
+                            Some((Unary::Stack, Type::real_vector(length)))
+                        }
+                        _ => None,
+                    },
+                },
+                "a vector, a matrix, or a sequence of these",
+            ),
+            "vec⁻¹" | "inversevec" => self.unstack(&call),
+            "null" => self.linear(
+                &call,
+                |checker, ty| match ty.shape()? {
+                    Shape::Matrix(_, m) => Some((
+                        Unary::NullSpace,
+                        Type::real_matrix(m, checker.new_dimension()),
+                    )),
+                    _ => None,
+                },
+                "a matrix",
+            ),
+            "orth" => self.linear(
+                &call,
+                |checker, ty| match ty.shape()? {
+                    Shape::Matrix(n, _) => Some((
+                        Unary::OrthogonalBasis,
+                        Type::real_matrix(n, checker.new_dimension()),
+                    )),
+                    _ => None,
+                },
+                "a matrix",
+            ),
+            "svd" => self.linear(
+                &call,
+                |checker, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) => {
+                        let least = match (n.value(), m.value()) {
+                            (Some(n), Some(m)) => crate::types::Dimension::known(n.min(m)),
+                            _ if n == m => n.clone(),
+                            _ => checker.new_dimension(),
+                        };
+                        let items = vec![
+                            Type::real_matrix(n.clone(), n),
+                            Type::real_vector(least),
+                            Type::real_matrix(m.clone(), m),
+                        ];
+                        Some((Unary::SingularValues, Type::Tuple(items)))
+                    }
+                    _ => None,
+                },
+                "a matrix",
+            ),
+            "psd" | "psd_abs" => self.linear(
+                &call,
+                |_, ty| match ty.shape()? {
+                    Shape::Matrix(n, m) if !n.differs(&m) => {
+                        let part = match builtin {
+                            "psd" => Unary::PositivePart,
+                            _ => Unary::AbsolutePart,
+                        };
+                        Some((part, Type::real_matrix(n, m)))
+                    }
+                    _ => None,
+                },
+                "a square matrix",
+            ),
+            "sequence" => self.sequence(&call),
             "min" | "max" => self.extremum(&call, builtin == "min"),
             "tuple" => {
                 let types = values.iter().map(|v| self.ty(*v).clone()).collect();
@@ -143,6 +266,114 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// A function of linear algebra with one argument.
+    fn linear(
+        &mut self,
+        call: &Builtin<'_, 'a>,
+        result: impl FnOnce(&mut Self, &Type) -> Option<(Unary, Type)>,
+        takes: &str,
+    ) -> ExprId {
+        if !self.takes(call, 1) {
+            return self.error();
+        }
+        let ty = self.ty(call.values[0]).clone();
+        match result(self, &ty) {
+            Some((op, ty)) => {
+                let value = self.real(call.values[0]);
+                self.add_at(call.span, Kind::Unary(op, value), ty)
+            }
+            None => self.wrong(call, 0, takes),
+        }
+    }
+
+    /// `vec⁻¹_x(v)`: the entries of `v` in the shape of `x`.
+    fn unstack(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        if !self.takes(call, 2) {
+            return self.error();
+        }
+        let (shape, entries) = (call.values[0], call.values[1]);
+        let ty = self.ty(shape).clone();
+        if !matches!(self.ty(entries).shape(), Some(Shape::Vector(_))) {
+            return self.wrong(call, 1, "a vector");
+        }
+        let result = match (ty.shape(), &ty) {
+            (Some(Shape::Vector(_) | Shape::Matrix(..)), _) => ty.with_reals(),
+            (
+                None,
+                Type::Sequence {
+                    item,
+                    length,
+                    index,
+                },
+            ) if item.shape().is_some() => Type::Sequence {
+                item: Box::new(item.with_reals()),
+                length: length.clone(),
+                index: *index,
+            },
+            _ => return self.wrong(call, 0, "a vector, a matrix, or a sequence of these"),
+        };
+        let entries = self.real(entries);
+        self.add_at(
+            call.span,
+            Kind::Binary(Binary::Unstack, shape, entries),
+            result,
+        )
+    }
+
+    /// `sequence(a, b, …)`, `sequence(q, a, …)`, `sequence(S)`.
+    fn sequence(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        let Some((&first, rest)) = call.values.split_first() else {
+            return self.wrong_count(call, "at least 1 argument");
+        };
+        match self.ty(first).clone() {
+            Type::Set(item) if rest.is_empty() => {
+                let length = self.new_dimension();
+                let ty = Type::Sequence {
+                    item,
+                    length,
+                    index: None,
+                };
+                self.add(Kind::SequenceOf(first), ty)
+            }
+            Type::Sequence { item, .. } => {
+                let mut sequence = first;
+                for (k, value) in rest.iter().enumerate() {
+                    let value = self.convert(*value, &item);
+                    if self.ty(value) != &*item {
+                        return self.wrong(call, k + 1, &format!("items of type {item}"));
+                    }
+                    let ty = Type::Sequence {
+                        item: item.clone(),
+                        length: self.new_dimension(),
+                        index: None,
+                    };
+                    sequence = self.add(Kind::Binary(Binary::Append, sequence, value), ty);
+                }
+                sequence
+            }
+            item => {
+                let item = match call.values.iter().any(|v| *self.ty(*v) == Type::REAL) {
+                    true => Type::REAL,
+                    false => item,
+                };
+                let mut items = Vec::new();
+                for (k, value) in call.values.iter().enumerate() {
+                    let value = self.convert(*value, &item);
+                    if self.ty(value) != &item {
+                        return self.wrong(call, k, &format!("items of one type, here {item}"));
+                    }
+                    items.push(value);
+                }
+                let ty = Type::Sequence {
+                    item: Box::new(item),
+                    length: crate::types::Dimension::known(items.len() as i64),
+                    index: None,
+                };
+                self.add(Kind::Sequence(items), ty)
+            }
+        }
+    }
+
     fn chain_space(&self, value: ExprId) -> Option<Element> {
         match self.ty(value) {
             Type::Vector { space, .. } => *space,
@@ -151,18 +382,31 @@ impl<'a> Checker<'a> {
     }
 
     fn elementary(&mut self, call: &Builtin<'_, 'a>, function: Elementary) -> ExprId {
+        // the base of a logarithm may be its subscript
+        if function == Elementary::Ln && call.values.len() == 2 {
+            let base = match self.program.arena.kind(call.values[0]) {
+                Kind::Integer(2) => Elementary::Log2,
+                Kind::Integer(10) => Elementary::Log10,
+                _ => return self.wrong(call, 0, "the base 2 or 10"),
+            };
+            let call = Builtin {
+                span: call.span,
+                name: call.name,
+                arguments: &call.arguments[1..],
+                values: &call.values[1..],
+            };
+            return self.elementary(&call, base);
+        }
         if !self.takes(call, 1) {
             return self.error();
         }
-        match self.ty(call.values[0]).clone() {
-            Type::Scalar(_) => {
+        let ty = self.ty(call.values[0]).clone();
+        match ty.shape() {
+            Some(shape) if !ty.is_sparse() => {
                 let value = self.real(call.values[0]);
-                self.add(Kind::Unary(Unary::Apply(function), value), Type::REAL)
+                self.add(Kind::Unary(Unary::Apply(function), value), shape.real())
             }
-            ty if ty.fixed_vector().is_some() => {
-                self.add(Kind::Unary(Unary::Apply(function), call.values[0]), ty)
-            }
-            _ => self.wrong(call, 0, "a number or a vector"),
+            _ => self.wrong(call, 0, "a number, a vector or a matrix"),
         }
     }
 
@@ -175,7 +419,25 @@ impl<'a> Checker<'a> {
             let item = match self.ty(*value) {
                 Type::Set(item) if item.is_scalar() => (**item).clone(),
                 Type::Set(_) => return self.wrong(call, 0, "a set of numbers"),
-                _ => return self.unsupported(call.span, "the extremum of this is"),
+                Type::Sequence { item, .. } if item.is_scalar() => {
+                    let op = if least { Unary::Least } else { Unary::Greatest };
+                    return self.add_at(call.span, Kind::Unary(op, *value), Type::REAL);
+                }
+                ty => match ty.shape() {
+                    Some(Shape::Vector(_) | Shape::Matrix(..)) => {
+                        let op = if least { Unary::Least } else { Unary::Greatest };
+                        let value = self.real(*value);
+                        return self.add_at(call.span, Kind::Unary(op, value), Type::REAL);
+                    }
+                    Some(Shape::Scalar) => return *value,
+                    None => {
+                        return self.wrong(
+                            call,
+                            0,
+                            "numbers, or a set, vector, matrix or sequence of them",
+                        );
+                    }
+                },
             };
             let variable = self.program.arena.new_variable("x", item.clone());
             let body = self.program.arena.variable(variable);

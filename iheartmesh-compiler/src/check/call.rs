@@ -1,5 +1,7 @@
 //! Calls: which function is meant, whether its arguments fit.
 
+use std::collections::BTreeMap;
+
 use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
@@ -10,13 +12,14 @@ use crate::resolve::symbols::count;
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
-use crate::types::{Number, Type};
+use crate::types::{Dimension, Shape, Type};
 
 /// How well an argument fits a parameter: the lesser the better.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Fit {
     Exact,
     Promoted,
+    Template,
 }
 
 impl<'a> Checker<'a> {
@@ -40,6 +43,12 @@ impl<'a> Checker<'a> {
                 let ty = self.ty(value).clone();
                 if ty.is_error() {
                     return value;
+                }
+                if let (Type::Function { parameters, result }, Kind::Input(id)) =
+                    (&ty, self.program.arena.kind(value).clone())
+                {
+                    let arguments: Vec<&'a Expr> = subscripts.iter().chain(arguments).collect();
+                    return self.host_call(span, function, id, (parameters, result), &arguments);
                 }
                 return self.report(
                     Diagnostic::error(
@@ -87,6 +96,61 @@ impl<'a> Checker<'a> {
         self.resolve_call(&call, candidates)
     }
 
+    /// A call of a function that the host hands in.
+    fn host_call(
+        &mut self,
+        span: Span,
+        name: &'a Name,
+        id: crate::ir::InputId,
+        (parameters, result): (&[Type], &Type),
+        arguments: &[&'a Expr],
+    ) -> ExprId {
+        let values: Vec<ExprId> = arguments.iter().map(|a| self.expr(a)).collect();
+        if values.iter().any(|v| self.is_error(*v)) {
+            return self.error();
+        }
+        let shown: Vec<String> = parameters.iter().map(with_article).collect();
+        let help = format!("`{}` takes ({})", name.text, shown.join(", "));
+        if values.len() != parameters.len() {
+            let message = format!(
+                "`{}` takes {} but is given {}",
+                name.text,
+                count(parameters.len(), "argument"),
+                values.len()
+            );
+            return self.report(Diagnostic::error(span, message).help(help));
+        }
+        let mut sizes = Sizes::default();
+        for (k, (value, parameter)) in values.iter().zip(parameters).enumerate() {
+            let ty = self.ty(*value).clone();
+            if fit(parameter, &ty, &|_| false, &mut sizes).is_none() {
+                let given = with_article(&ty);
+                let message = format!(
+                    "`{}` takes {} but is given {given}",
+                    name.text,
+                    with_article(parameter)
+                );
+                return self.report(
+                    Diagnostic::error(arguments[k].span, message)
+                        .here(format!("this is {given}"))
+                        .help(help),
+                );
+            }
+        }
+        let values = values
+            .iter()
+            .zip(parameters)
+            .map(|(v, ty)| self.convert(*v, ty))
+            .collect();
+        self.add(Kind::HostCall(id, values), result.clone())
+    }
+
+    /// Whether a symbol of a size is of the function being called, and takes the size of its argument.
+    fn is_template(&self, module: ModuleId) -> impl Fn(&str) -> bool + use<'a> {
+        let symbols = &self.resolved.module(module).symbols;
+        move |name: &str| !symbols.contains_key(name)
+    }
+
     fn resolve_call(
         &mut self,
         call: &Call<'_, 'a>,
@@ -106,7 +170,7 @@ impl<'a> Checker<'a> {
         let types: Vec<Type> = call.values.iter().map(|v| self.ty(*v).clone()).collect();
         let mut best: Vec<(Fit, ModuleId, usize)> = Vec::new();
         for (module, item, signature) in &candidates {
-            if let Some(fit) = fits(signature, &types) {
+            if let Some((fit, _)) = fits(signature, &types, &self.is_template(*module)) {
                 match best.first() {
                     Some((f, ..)) if *f < fit => {}
                     Some((f, ..)) if *f == fit => best.push((fit, *module, *item)),
@@ -116,8 +180,14 @@ impl<'a> Checker<'a> {
         }
         match best.as_slice() {
             [(_, module, item)] => {
-                let id = self.function(*module, *item);
-                self.call_function(call, id)
+                let (module, item) = (*module, *item);
+                let id = self.function(module, item);
+                let sizes = candidates
+                    .iter()
+                    .find(|(m, i, _)| (*m, *i) == (module, item))
+                    .and_then(|(_, _, s)| fits(s, &types, &self.is_template(module)))
+                    .map_or_else(Sizes::default, |(_, sizes)| sizes);
+                self.call_function(call, id, &sizes)
             }
             [] => self.no_candidate(call, &types, &candidates),
             _ => {
@@ -136,7 +206,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn call_function(&mut self, call: &Call<'_, 'a>, id: FunctionId) -> ExprId {
+    fn call_function(&mut self, call: &Call<'_, 'a>, id: FunctionId, sizes: &Sizes) -> ExprId {
         let parameters: Vec<Type> = self
             .program
             .function(id)
@@ -155,7 +225,7 @@ impl<'a> Checker<'a> {
                 self.note_parameter_indexed(*value, &indexed);
             }
         }
-        let ty = self.result(id);
+        let ty = with_sizes(&self.result(id), sizes);
         if ty.is_error() {
             return self.error();
         }
@@ -238,7 +308,15 @@ impl<'a> Checker<'a> {
             );
         }
         let k = (0..types.len())
-            .find(|&k| fit(&first.parameters[k], &types[k]).is_none())
+            .find(|&k| {
+                fit(
+                    &first.parameters[k],
+                    &types[k],
+                    &|_| true,
+                    &mut Sizes::default(),
+                )
+                .is_none()
+            })
             .unwrap_or(0);
         let (expected, given) = (with_article(&first.parameters[k]), with_article(&types[k]));
         self.report(
@@ -285,32 +363,135 @@ struct Call<'c, 'a> {
     values: &'c [ExprId],
 }
 
-fn fits(signature: &Signature, types: &[Type]) -> Option<Fit> {
+/// Sizes that arguments bring along.
+type Sizes = BTreeMap<String, Dimension>;
+
+fn fits(
+    signature: &Signature,
+    types: &[Type],
+    is_template: &dyn Fn(&str) -> bool,
+) -> Option<(Fit, Sizes)> {
     if signature.parameters.len() != types.len() {
         return None;
     }
-    signature
-        .parameters
-        .iter()
-        .zip(types)
-        .map(|(p, t)| fit(p, t))
-        .try_fold(Fit::Exact, |worst, f| f.map(|f| worst.max(f)))
+    let mut sizes = Sizes::default();
+    let mut worst = Fit::Exact;
+    for (p, t) in signature.parameters.iter().zip(types) {
+        worst = worst.max(fit(p, t, is_template, &mut sizes)?);
+    }
+    Some((worst, sizes))
 }
 
-fn fit(parameter: &Type, argument: &Type) -> Option<Fit> {
+fn fit(
+    parameter: &Type,
+    argument: &Type,
+    is_template: &dyn Fn(&str) -> bool,
+    sizes: &mut Sizes,
+) -> Option<Fit> {
     if parameter == argument {
         return Some(Fit::Exact);
     }
+    if let (Some(a), Some(b)) = (parameter.shape(), argument.shape()) {
+        if parameter.is_integer() && !argument.is_integer()
+            || parameter.is_sparse() != argument.is_sparse()
+        {
+            return None;
+        }
+        let promoted = parameter.is_integer() != argument.is_integer();
+        let fit = match (a, b) {
+            (Shape::Scalar, Shape::Scalar) => Fit::Exact,
+            (Shape::Vector(n), Shape::Vector(m)) => fit_size(&n, &m, is_template, sizes)?,
+            (Shape::Matrix(n, m), Shape::Matrix(p, q)) => {
+                fit_size(&n, &p, is_template, sizes)?.max(fit_size(&m, &q, is_template, sizes)?)
+            }
+            (Shape::Vector(n), Shape::Matrix(m, one)) if one == Dimension::known(1) => {
+                fit_size(&n, &m, is_template, sizes)?.max(Fit::Promoted)
+            }
+            (Shape::Scalar, Shape::Matrix(n, m))
+                if n == Dimension::known(1) && m == Dimension::known(1) =>
+            {
+                Fit::Promoted
+            }
+            _ => return None,
+        };
+        return Some(if promoted {
+            fit.max(Fit::Promoted)
+        } else {
+            fit
+        });
+    }
     match (parameter, argument) {
-        (Type::Scalar(Number::Real), Type::Scalar(Number::Integer)) => Some(Fit::Promoted),
         // the letters of two sequences, or their index sets, do not make them different arguments
-        (Type::Sequence { item: a, .. }, Type::Sequence { item: b, .. }) => fit(a, b),
+        (
+            Type::Sequence {
+                item: a, length: n, ..
+            },
+            Type::Sequence {
+                item: b, length: m, ..
+            },
+        ) => {
+            if let Some(crate::types::Atom::Length(letter)) = n.as_atom() {
+                sizes.entry(letter.clone()).or_insert_with(|| m.clone());
+            }
+            fit(a, b, is_template, sizes)
+        }
         (Type::CellularSet(a), Type::CellularSet(b)) if a.is_none() || b.is_none() => {
             Some(Fit::Exact)
         }
-        (Type::Vector { .. }, Type::Vector { .. }) | (Type::Matrix { .. }, Type::Matrix { .. }) => {
-            None
-        }
         _ => None,
     }
+}
+
+/// A size that an argument has where the parameter has this one.
+fn fit_size(
+    parameter: &Dimension,
+    argument: &Dimension,
+    is_template: &dyn Fn(&str) -> bool,
+    sizes: &mut Sizes,
+) -> Option<Fit> {
+    if let Some(crate::types::Atom::Symbol(name)) = parameter.as_atom()
+        && is_template(name)
+    {
+        return match sizes.get(name) {
+            Some(known) if known.differs(argument) => None,
+            Some(_) => Some(Fit::Template),
+            None => {
+                sizes.insert(name.clone(), argument.clone());
+                Some(Fit::Template)
+            }
+        };
+    }
+    let parameter = substituted(parameter, sizes);
+    (!parameter.differs(argument)).then_some(Fit::Exact)
+}
+
+fn substituted(dimension: &Dimension, sizes: &Sizes) -> Dimension {
+    dimension.substitute(&|atom| match atom {
+        crate::types::Atom::Symbol(name) | crate::types::Atom::Length(name) => {
+            sizes.get(name).cloned()
+        }
+        _ => None,
+    })
+}
+
+/// A type with the sizes that the arguments of a call bring along.
+fn with_sizes(ty: &Type, sizes: &Sizes) -> Type {
+    let mut ty = ty.clone();
+    match &mut ty {
+        Type::Vector { length, .. } => *length = substituted(length, sizes),
+        Type::Matrix { rows, columns, .. } => {
+            *rows = substituted(rows, sizes);
+            *columns = substituted(columns, sizes);
+        }
+        Type::Sequence { item, length, .. } => {
+            **item = with_sizes(item, sizes);
+            *length = substituted(length, sizes);
+        }
+        Type::Set(item) => **item = with_sizes(item, sizes),
+        Type::Tuple(items) => items
+            .iter_mut()
+            .for_each(|item| *item = with_sizes(item, sizes)),
+        _ => {}
+    }
+    ty
 }

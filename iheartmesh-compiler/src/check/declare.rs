@@ -201,14 +201,6 @@ impl Checker<'_> {
                 sparse,
             } => {
                 let length = self.dimension(length);
-                if length.value().is_none_or(|n| !(2..=4).contains(&n)) || *sparse {
-                    self.unsupported(ty.span, "vectors other than those of length 2, 3 or 4 are");
-                    return Type::Error;
-                }
-                if *number == ast::Number::Integer {
-                    self.unsupported(ty.span, "vectors of integers are");
-                    return Type::Error;
-                }
                 Type::Vector {
                     number: *number,
                     length,
@@ -216,9 +208,20 @@ impl Checker<'_> {
                     space: None,
                 }
             }
-            TypeKind::Matrix { .. } => {
-                self.unsupported(ty.span, "matrices are");
-                Type::Error
+            TypeKind::Matrix {
+                number,
+                rows,
+                columns,
+                sparse,
+            } => {
+                let (rows, columns) = (self.dimension(rows), self.dimension(columns));
+                Type::Matrix {
+                    number: *number,
+                    rows,
+                    columns,
+                    sparse: *sparse,
+                    spaces: None,
+                }
             }
             TypeKind::Set(items) => {
                 let mut items: Vec<Type> = items.iter().map(|t| self.written_type(t)).collect();
@@ -235,9 +238,19 @@ impl Checker<'_> {
             TypeKind::Tuple(items) => {
                 Type::Tuple(items.iter().map(|t| self.written_type(t)).collect())
             }
-            TypeKind::Function { .. } => {
-                self.unsupported(ty.span, "parameters that are functions are");
-                Type::Error
+            TypeKind::Function {
+                parameters,
+                results,
+            } => {
+                let parameters = parameters.iter().map(|t| self.written_type(t)).collect();
+                let mut results: Vec<Type> = results.iter().map(|t| self.written_type(t)).collect();
+                Type::Function {
+                    parameters,
+                    result: Box::new(match results.len() {
+                        1 => results.remove(0),
+                        _ => Type::Tuple(results),
+                    }),
+                }
             }
             TypeKind::Mapping { from, to } => {
                 let item = self.written_type(to);

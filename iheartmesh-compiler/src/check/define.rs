@@ -67,8 +67,14 @@ impl<'a> Checker<'a> {
             return vec![error; n];
         }
         if definition.targets.iter().any(|t| !t.subscripts.is_empty()) {
-            let error = self.unsupported(definition.span, "element-wise definitions are");
-            return vec![error; n];
+            if n > 1 {
+                let error = self.unsupported(
+                    definition.span,
+                    "several element-wise definitions at once are",
+                );
+                return vec![error; n];
+            }
+            return vec![self.elementwise(definition)];
         }
         let value = self.expr(&definition.value);
         if n == 1 {

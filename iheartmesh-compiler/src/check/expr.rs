@@ -3,9 +3,9 @@
 use super::Checker;
 use super::scope::Found;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind};
+use crate::ir::{Binary, ExprId, Kind};
 use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
-use crate::types::{Number, Type};
+use crate::types::{Atom, Dimension, Number, Type};
 
 impl<'a> Checker<'a> {
     /// Checks an expression.
@@ -36,7 +36,7 @@ impl<'a> Checker<'a> {
                 right,
                 weight,
             } => self.inner(e, left, right, weight.as_deref()),
-            ExprKind::Vector(items) => self.vector(e, items),
+            ExprKind::Vector(items) => self.vector(items),
             ExprKind::Set(items) => self.set_literal(e, items),
             ExprKind::Builder {
                 element,
@@ -54,10 +54,12 @@ impl<'a> Checker<'a> {
                 branches,
                 otherwise,
             } => self.piecewise(e, branches, otherwise.as_deref()),
-            ExprKind::Matrix(_) => self.unsupported(e.span, "matrices are"),
-            ExprKind::NumberMatrix { .. } => {
-                self.unsupported(e.span, "matrices of zeros and ones are")
-            }
+            ExprKind::Matrix(rows) => self.matrix(e, rows),
+            ExprKind::NumberMatrix {
+                ones,
+                rows,
+                columns,
+            } => self.number_matrix(*ones, rows, columns.as_deref()),
             ExprKind::Optimise { .. } => self.unsupported(e.span, "optimisation is"),
             ExprKind::Integral { .. } => self.unsupported(e.span, "integrals are"),
             ExprKind::Derivative { .. }
@@ -72,7 +74,13 @@ impl<'a> Checker<'a> {
         match self.find(name) {
             Found::Value(value) => value,
             Found::Error => self.error(),
-            Found::Dimension => self.unsupported(name.span, "sizes as values are"),
+            Found::Dimension => {
+                let dimension = Dimension::atom(Atom::Symbol(name.text.clone()));
+                match self.size(&dimension) {
+                    Some(size) => size,
+                    None => self.error(),
+                }
+            }
             Found::Functions(functions) => {
                 if let [(_, crate::resolve::Meaning::Builtin(builtin))] = functions.as_slice()
                     && builtin == "e"
@@ -87,18 +95,88 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A number as a real number.
+    /// A number, or the entries of a vector or matrix, as real numbers.
     pub(super) fn real(&mut self, e: ExprId) -> ExprId {
         match (self.ty(e), self.program.arena.kind(e)) {
             (Type::Scalar(Number::Integer), Kind::Integer(value)) => {
                 let value = *value as f64;
                 self.program.arena.real(value)
             }
-            (Type::Scalar(Number::Integer), _) => {
-                self.add(Kind::Unary(crate::ir::Unary::ToReal, e), Type::REAL)
+            (ty, _) if ty.is_integer() && ty.shape().is_some() => {
+                let ty = ty.with_reals();
+                self.add(Kind::Unary(crate::ir::Unary::ToReal, e), ty)
             }
             _ => e,
         }
+    }
+
+    /// A size of a value: the number of its items or rows (0), of its columns (1).
+    pub(super) fn extent(&mut self, e: ExprId, axis: u8) -> ExprId {
+        let dimension = match (self.ty(e), axis) {
+            (Type::Vector { length, .. } | Type::Sequence { length, .. }, _) => {
+                Some(length.clone())
+            }
+            (Type::Matrix { rows, .. }, 0) => Some(rows.clone()),
+            (Type::Matrix { columns, .. }, _) => Some(columns.clone()),
+            _ => None,
+        };
+        // the length of a parameter that is a sequence is its own, whatever its letter
+        let own = matches!(
+            (self.ty(e), self.program.arena.kind(e)),
+            (Type::Sequence { .. }, Kind::Variable(_))
+        );
+        match dimension.filter(|_| !own).and_then(|d| self.size(&d)) {
+            Some(size) => size,
+            None => self.add(Kind::Extent(e, axis), Type::INTEGER),
+        }
+    }
+
+    /// A size as a value; `None` when it is known only from the value that has it.
+    pub(super) fn size(&mut self, dimension: &Dimension) -> Option<ExprId> {
+        if let Some(n) = dimension.value() {
+            return Some(self.program.arena.integer(n));
+        }
+        let mut own = true;
+        for (_, atoms) in dimension.terms() {
+            for atom in atoms {
+                match atom {
+                    Atom::Dynamic(_) => return None,
+                    Atom::Symbol(name) if self.templates.contains_key(name) => own = false,
+                    _ => {}
+                }
+            }
+        }
+        if own {
+            return Some(self.add(Kind::Size(dimension.clone()), Type::INTEGER));
+        }
+        // sizes that a function's arguments bring along are computed from these
+        let terms: Vec<(i64, Vec<Atom>)> =
+            dimension.terms().map(|(k, a)| (k, a.to_vec())).collect();
+        let mut sum = None;
+        for (k, atoms) in terms {
+            let mut product = self.program.arena.integer(k);
+            for atom in atoms {
+                let factor = match &atom {
+                    Atom::Symbol(name) if self.templates.contains_key(name) => self.templates[name],
+                    _ => self.add(Kind::Size(Dimension::atom(atom.clone())), Type::INTEGER),
+                };
+                product = self.add(
+                    Kind::Binary(Binary::Multiply, product, factor),
+                    Type::INTEGER,
+                );
+            }
+            sum = Some(match sum {
+                None => product,
+                Some(sum) => self.add(Kind::Binary(Binary::Add, sum, product), Type::INTEGER),
+            });
+        }
+        sum
+    }
+
+    /// A size that is known only at run time.
+    pub(super) fn new_dimension(&mut self) -> Dimension {
+        self.n_dynamic += 1;
+        Dimension::atom(Atom::Dynamic(self.n_dynamic))
     }
 
     /// Two values brought to one type: an integer beside a real number becomes one.
@@ -118,39 +196,12 @@ impl<'a> Checker<'a> {
 
     /// A value as the type wants it, where there is a conversion: ℤ to ℝ, also inside of tuples and sets.
     pub(super) fn convert(&mut self, e: ExprId, to: &Type) -> ExprId {
-        if *to == Type::REAL { self.real(e) } else { e }
-    }
-
-    fn vector(&mut self, e: &'a Expr, items: &'a [Expr]) -> ExprId {
-        let mut entries = Vec::new();
-        for item in items {
-            let value = self.expr(item);
-            let ty = self.ty(value).clone();
-            match (&ty, ty.fixed_vector()) {
-                (Type::Error, _) => return value,
-                (Type::Scalar(_), _) => entries.push(self.real(value)),
-                (Type::Vector { number, .. }, Some(n)) => {
-                    for k in 1..=n {
-                        let index = self.program.arena.integer(k);
-                        let entry = self.add(Kind::Component(value, index), Type::Scalar(*number));
-                        entries.push(self.real(entry));
-                    }
-                }
-                _ => {
-                    let message = format!("{ty} cannot be an entry of a vector");
-                    return self.report(
-                        Diagnostic::error(item.span, message)
-                            .here(format!("this is {ty}"))
-                            .help("the entries of `(a, b, c)` are numbers and vectors; write `tuple(a, b)` for a tuple"),
-                    );
-                }
+        match to.shape() {
+            Some(shape) if !to.is_integer() && self.ty(e).shape().is_some() => {
+                self.shaped(e, &shape)
             }
+            _ => e,
         }
-        let n = entries.len() as i64;
-        if !(2..=4).contains(&n) {
-            return self.unsupported(e.span, "vectors other than those of length 2, 3 or 4 are");
-        }
-        self.add(Kind::Vector(entries), Type::vector(n))
     }
 
     fn piecewise(
@@ -177,10 +228,14 @@ impl<'a> Checker<'a> {
             return self.error();
         };
         for (syntax, other) in &typed {
-            if ty.is_scalar() && other.is_scalar() {
-                if *other == Type::REAL {
-                    ty = Type::REAL;
+            if let Some(shape) = self.same_shape(&ty, other) {
+                if ty.is_scalar() && ty.is_integer() && other.is_integer() {
+                    continue;
                 }
+                ty = match (&ty, ty.is_sparse() || ty.is_integer()) {
+                    (ty, false) if ty == other => ty.clone(),
+                    _ => shape.real(),
+                };
             } else if *other != ty {
                 let message = format!("the branches differ: {ty} and {other}");
                 return self.report(

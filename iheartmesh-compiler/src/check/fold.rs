@@ -5,7 +5,7 @@ use super::scope::Scope;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, Kind, Range};
 use crate::syntax::ast::{BigOp, Definition, Expr, Head};
-use crate::types::{Number, Type};
+use crate::types::Type;
 
 impl<'a> Checker<'a> {
     pub(super) fn big(
@@ -44,15 +44,35 @@ impl<'a> Checker<'a> {
                 (variable, Range::Integers(a, b), scope)
             }
             Head::Index(name) | Head::Filtered(name, _) => {
-                return self.unsupported(name.span, "sums over the subscripts of a sequence are");
+                let mut scope = Scope::default();
+                let variable = self.bind_index(&mut scope, name);
+                (variable, Range::Rows, scope)
             }
         };
         self.bind_locals(&mut scope, locals);
-        let value = self.with_scope(scope, |checker| checker.expr(body));
+        let (condition, value) = self.with_scope(scope, |checker| {
+            let condition = match head {
+                Head::Filtered(_, condition) => Some(checker.condition(condition)),
+                _ => None,
+            };
+            (condition, checker.expr(body))
+        });
         let ty = self.ty(value).clone();
+        let range = match head {
+            Head::Index(name) | Head::Filtered(name, _) if ty.is_error() => {
+                let _ = name;
+                self.index_uses.remove(&variable);
+                range
+            }
+            Head::Index(name) | Head::Filtered(name, _) => match self.index_range(variable, name) {
+                Some((_, size)) => Range::Integers(self.program.arena.integer(1), size),
+                None => return self.error(),
+            },
+            _ => range,
+        };
         let fold = match (op, &ty) {
             (_, Type::Error) => return value,
-            (BigOp::Sum, Type::Scalar(_) | Type::Vector { space: None, .. }) => Fold::Sum,
+            (BigOp::Sum, ty) if ty.shape().is_some() => Fold::Sum,
             (BigOp::Product, Type::Scalar(_)) => Fold::Product,
             (BigOp::Union, Type::Set(_)) => Fold::Union,
             _ => {
@@ -69,16 +89,19 @@ impl<'a> Checker<'a> {
                 );
             }
         };
-        let ty = match &ty {
-            Type::Scalar(Number::Integer) => Type::INTEGER,
-            other => other.clone(),
+        let (value, ty) = match ty.is_scalar() || ty.shape().is_none() {
+            true => (value, ty),
+            false => {
+                let value = self.real(value);
+                (value, self.ty(value).clone())
+            }
         };
         self.add(
             Kind::Fold {
                 op: fold,
                 variable,
                 range,
-                condition: None,
+                condition,
                 body: value,
             },
             ty,

@@ -160,6 +160,14 @@ impl<'a> Checker<'a> {
                 within_name: declared.within_name,
             });
         }
+        let templates = self.template_sizes(&parameters);
+        for (name, size) in &templates {
+            scope
+                .names
+                .entry(name.clone())
+                .or_insert(Binding::Value(*size));
+        }
+        let templates = std::mem::replace(&mut self.templates, templates);
         self.program.functions[id.0 as usize].parameters = parameters;
         self.bind_locals(&mut scope, &syntax.locals);
         let before = self.diagnostics.clone();
@@ -181,11 +189,38 @@ impl<'a> Checker<'a> {
                 body = self.with_scope(scope, |checker| checker.function_value(syntax));
             }
         }
+        self.templates = templates;
         let ty = self.ty(body).clone();
         self.results.insert(id, ty.clone());
         let function = &mut self.program.functions[id.0 as usize];
         function.body = body;
         function.ty = ty;
+    }
+
+    /// Sizes in the types of parameters that are not sizes of the module: they are those of the arguments.
+    fn template_sizes(
+        &mut self,
+        parameters: &[Parameter],
+    ) -> std::collections::BTreeMap<String, ExprId> {
+        let mut found = std::collections::BTreeMap::new();
+        for parameter in parameters {
+            let value = self.program.arena.variable(parameter.variable);
+            let sizes: Vec<(u8, crate::types::Dimension)> = match &parameter.ty {
+                Type::Vector { length, .. } => vec![(0, length.clone())],
+                Type::Matrix { rows, columns, .. } => vec![(0, rows.clone()), (1, columns.clone())],
+                _ => Vec::new(),
+            };
+            for (axis, size) in sizes {
+                if let Some(crate::types::Atom::Symbol(name)) = size.as_atom()
+                    && !self.resolved.module(self.module).symbols.contains_key(name)
+                    && !found.contains_key(name)
+                {
+                    let extent = self.add(Kind::Extent(value, axis), Type::INTEGER);
+                    found.insert(name.clone(), extent);
+                }
+            }
+        }
+        found
     }
 
     fn function_value(&mut self, syntax: &'a ast::Function) -> ExprId {

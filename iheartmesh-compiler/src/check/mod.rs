@@ -9,9 +9,11 @@ mod call;
 mod condition;
 mod declare;
 mod define;
+mod elementwise;
 mod expr;
 mod fold;
 mod function;
+mod matrix;
 mod operator;
 mod scope;
 mod set;
@@ -20,7 +22,7 @@ mod subscript;
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind, Program};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind, Program, VariableId};
 use crate::resolve::{ModuleId, Resolved};
 use crate::span::Span;
 use crate::syntax::ast::ItemKind;
@@ -43,6 +45,9 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         signatures: BTreeMap::new(),
         results: BTreeMap::new(),
         recursive: Vec::new(),
+        templates: BTreeMap::new(),
+        index_uses: BTreeMap::new(),
+        n_dynamic: 0,
     };
     checker.declare_inputs();
     checker.module_items();
@@ -74,6 +79,21 @@ struct Checker<'a> {
     results: BTreeMap<FunctionId, Type>,
     /// Functions that have been called while they were being checked.
     recursive: Vec<FunctionId>,
+    /// Sizes that the arguments of the function being checked bring along.
+    templates: BTreeMap<String, ExprId>,
+    /// For indices whose range follows from their use: where they index, with the size there.
+    index_uses: BTreeMap<VariableId, Vec<IndexUse>>,
+    n_dynamic: u32,
+}
+
+/// A place where an index stands alone as a subscript.
+#[derive(Clone, Debug)]
+struct IndexUse {
+    size: ExprId,
+    dimension: crate::types::Dimension,
+    of_sequence: bool,
+    span: Span,
+    shown: String,
 }
 
 impl<'a> Checker<'a> {

@@ -4,43 +4,75 @@ use super::Checker;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
 use crate::span::Span;
-use crate::syntax::ast::{BinaryOp, Expr, NormSubscript, UnaryOp};
-use crate::types::{Number, Type};
+use crate::syntax::ast::{BinaryOp, Expr, ExprKind, NormSubscript, UnaryOp};
+use crate::types::{Dimension, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
     pub(super) fn unary(&mut self, e: &'a Expr, op: UnaryOp, operand: &'a Expr) -> ExprId {
         let value = self.expr(operand);
         let ty = self.ty(value).clone();
-        match (op, &ty) {
-            (_, Type::Error) => value,
-            (UnaryOp::Negate, Type::Scalar(_)) => self.negate(value),
-            (UnaryOp::Negate, Type::Vector { space: None, .. }) => self.negate(value),
-            (UnaryOp::SquareRoot, Type::Scalar(_)) => {
+        if ty.is_error() {
+            return value;
+        }
+        let one = Dimension::known(1);
+        match (op, ty.shape()) {
+            (UnaryOp::Negate, Some(_)) => self.negate(value),
+            (UnaryOp::SquareRoot, Some(Shape::Scalar)) => {
                 let value = self.real(value);
                 self.add(Kind::Unary(Unary::SquareRoot, value), Type::REAL)
             }
-            (UnaryOp::Transpose, Type::Matrix { .. }) => {
-                if let Kind::Boundary(boundary) = self.program.arena.kind(value).clone() {
-                    return self.boundary(Boundary {
+            (UnaryOp::Transpose, Some(Shape::Scalar)) => value,
+            (UnaryOp::Transpose, Some(Shape::Vector(n))) => {
+                self.real_unary(Unary::Transpose, value, Shape::Matrix(one, n))
+            }
+            (UnaryOp::Transpose, Some(Shape::Matrix(n, m))) => {
+                if let Kind::Unary(Unary::Transpose, inner) = *self.program.arena.kind(value)
+                    && matches!(self.ty(inner), Type::Matrix { .. })
+                {
+                    return inner;
+                }
+                self.real_unary(Unary::Transpose, value, Shape::Matrix(m, n))
+            }
+            (UnaryOp::Transpose, None) if matches!(ty, Type::Matrix { .. }) => {
+                match self.program.arena.kind(value).clone() {
+                    Kind::Boundary(boundary) => self.boundary(Boundary {
                         transposed: !boundary.transposed,
                         ..boundary
-                    });
+                    }),
+                    _ => self.unsupported(e.span, "this transpose is"),
                 }
-                self.unsupported(e.span, "this transpose is")
             }
-            (UnaryOp::Inverse, Type::Scalar(_)) => {
+            (UnaryOp::Inverse, Some(Shape::Scalar)) => {
                 let one = self.program.arena.real(1.0);
                 let value = self.real(value);
                 self.add(Kind::Binary(Binary::Divide, one, value), Type::REAL)
             }
-            (UnaryOp::Transpose, Type::Vector { .. })
-            | (UnaryOp::Inverse | UnaryOp::PseudoInverse, Type::Matrix { .. }) => {
-                self.unsupported(e.span, "this operation of linear algebra is")
+            (UnaryOp::Inverse, Some(Shape::Matrix(n, m))) => {
+                if n.differs(&m) {
+                    return self.not_square(e.span, "invert", operand.span, &ty);
+                }
+                let inverse = self.real_unary(Unary::Inverse, value, Shape::Matrix(n, m));
+                self.program.arena.note_origin(inverse, e.span);
+                inverse
             }
-            (UnaryOp::Size, Type::Set(_)) => self.add(Kind::Cardinality(value), Type::INTEGER),
-            (UnaryOp::Size, Type::Sequence { .. } | Type::Vector { .. }) => {
-                self.add(Kind::Length(value), Type::INTEGER)
+            (UnaryOp::PseudoInverse, Some(Shape::Matrix(n, m))) => {
+                self.real_unary(Unary::PseudoInverse, value, Shape::Matrix(m, n))
             }
+            (UnaryOp::Size, Some(Shape::Matrix(..))) => {
+                let sizes = vec![
+                    self.add(Kind::Extent(value, 0), Type::INTEGER),
+                    self.add(Kind::Extent(value, 1), Type::INTEGER),
+                ];
+                self.add(
+                    Kind::Tuple(sizes),
+                    Type::Tuple(vec![Type::INTEGER, Type::INTEGER]),
+                )
+            }
+            (UnaryOp::Size, Some(Shape::Vector(_))) => self.extent(value, 0),
+            (UnaryOp::Size, None) if matches!(ty, Type::Set(_)) => {
+                self.add(Kind::Cardinality(value), Type::INTEGER)
+            }
+            (UnaryOp::Size, None) if matches!(ty, Type::Sequence { .. }) => self.extent(value, 0),
             _ => {
                 let (name, takes) = match op {
                     UnaryOp::Negate => ("negate", "numbers, vectors and matrices"),
@@ -57,6 +89,31 @@ impl<'a> Checker<'a> {
                 )
             }
         }
+    }
+
+    /// An operation of linear algebra with a dense or sparse real result.
+    pub(super) fn real_unary(&mut self, op: Unary, value: ExprId, shape: Shape) -> ExprId {
+        let sparse = self.ty(value).is_sparse() && matches!(op, Unary::Transpose | Unary::Negate);
+        let value = self.real(value);
+        let mut ty = shape.real();
+        if sparse && let Type::Matrix { sparse, .. } | Type::Vector { sparse, .. } = &mut ty {
+            *sparse = true;
+        }
+        self.add(Kind::Unary(op, value), ty)
+    }
+
+    pub(super) fn not_square(
+        &mut self,
+        span: Span,
+        verb: &str,
+        operand: Span,
+        ty: &Type,
+    ) -> ExprId {
+        self.report(
+            Diagnostic::error(span, format!("cannot {verb} {ty}: it is not square"))
+                .label(operand, format!("this is {ty}"))
+                .help("the matrix must have as many rows as columns"),
+        )
     }
 
     fn negate(&mut self, value: ExprId) -> ExprId {
@@ -130,8 +187,8 @@ impl<'a> Checker<'a> {
             BinaryOp::Subtract => self.sum(sides, Binary::Subtract, a, b),
             BinaryOp::Juxtapose => self.product(sides, a, b, false),
             BinaryOp::Dot => self.product(sides, a, b, true),
-            BinaryOp::Divide => match (&ta, &tb) {
-                (Type::Scalar(_) | Type::Vector { space: None, .. }, Type::Scalar(_)) => {
+            BinaryOp::Divide => match (ta.shape(), tb.shape()) {
+                (Some(_), Some(Shape::Scalar)) => {
                     let (a, b) = (self.real(a), self.real(b));
                     if let (Kind::Real(x), Kind::Real(y)) =
                         (self.program.arena.kind(a), self.program.arena.kind(b))
@@ -144,10 +201,17 @@ impl<'a> Checker<'a> {
                 }
                 _ => self.mismatch(sides, "divide", "by", &ta, &tb, "the right side of `/` is a number"),
             },
-            BinaryOp::Power => match (&ta, &tb) {
-                (Type::Scalar(_), Type::Scalar(_)) => {
+            BinaryOp::Power => match (ta.shape(), tb.shape()) {
+                (Some(Shape::Scalar), Some(Shape::Scalar)) => {
                     let (a, b) = (self.real(a), self.real(b));
                     self.add(Kind::Binary(Binary::Power, a, b), Type::REAL)
+                }
+                (Some(Shape::Matrix(n, m)), Some(Shape::Scalar)) => {
+                    if n.differs(&m) {
+                        return self.not_square(e.span, "take a power of", left.span, &ta);
+                    }
+                    let (a, b) = (self.real(a), self.real(b));
+                    self.add_at(e.span, Kind::Binary(Binary::MatrixPower, a, b), Type::real_matrix(n, m))
                 }
                 _ => self.mismatch(
                     sides,
@@ -159,7 +223,10 @@ impl<'a> Checker<'a> {
                 ),
             },
             BinaryOp::Cross => match (ta.fixed_vector(), tb.fixed_vector()) {
-                (Some(3), Some(3)) => self.add(Kind::Binary(Binary::Cross, a, b), Type::vector(3)),
+                (Some(3), Some(3)) => {
+                    let (a, b) = (self.real(a), self.real(b));
+                    self.add(Kind::Binary(Binary::Cross, a, b), Type::vector(3))
+                }
                 _ => {
                     let help = if ta.is_scalar() || tb.is_scalar() {
                         "`×` is the cross product; numbers are multiplied by writing them side by side"
@@ -170,9 +237,92 @@ impl<'a> Checker<'a> {
                 }
             },
             BinaryOp::PlusMinus => self.unsupported(e.span, "`±` is"),
-            BinaryOp::Hadamard | BinaryOp::Kronecker | BinaryOp::Frobenius | BinaryOp::Solve => {
-                self.unsupported(e.span, "this product is")
+            BinaryOp::Hadamard => match (ta.shape(), tb.shape()) {
+                (Some(x), Some(y)) if !differ(&x, &y) => self.entrywise(Binary::Hadamard, a, b, x),
+                _ => self.mismatch(sides, "multiply, entry by entry,", "and", &ta, &tb, "both sides must have one size"),
+            },
+            BinaryOp::Frobenius => match (ta.shape(), tb.shape()) {
+                (Some(x), Some(y)) if !differ(&x, &y) => self.entrywise(Binary::Frobenius, a, b, Shape::Scalar),
+                _ => self.mismatch(
+                    sides,
+                    "take the Frobenius product of",
+                    "and",
+                    &ta,
+                    &tb,
+                    "both sides must be vectors or matrices of one size",
+                ),
+            },
+            BinaryOp::Kronecker => match (ta.shape().and_then(extents), tb.shape().and_then(extents)) {
+                (Some((n, m)), Some((p, q))) => {
+                    let rows = n.multiply(&p).unwrap_or_else(|| self.new_dimension());
+                    let columns = m.multiply(&q).unwrap_or_else(|| self.new_dimension());
+                    let (a, b) = (self.real(a), self.real(b));
+                    self.add(Kind::Binary(Binary::Kronecker, a, b), Type::real_matrix(rows, columns))
+                }
+                _ => self.mismatch(
+                    sides,
+                    "take the Kronecker product of",
+                    "and",
+                    &ta,
+                    &tb,
+                    "it is defined for vectors and matrices",
+                ),
+            },
+            BinaryOp::Solve => self.solve(sides, a, b),
+        }
+    }
+
+    /// An operation on operands of one size.
+    fn entrywise(&mut self, op: Binary, a: ExprId, b: ExprId, shape: Shape) -> ExprId {
+        let (a, b) = (self.real(a), self.real(b));
+        if matches!(shape, Shape::Scalar) && self.ty(a).is_scalar() {
+            return self.add(Kind::Binary(Binary::Multiply, a, b), Type::REAL);
+        }
+        self.add(Kind::Binary(op, a, b), shape.real())
+    }
+
+    /// `A \\ b`, `A⁻¹ b`.
+    fn solve(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        match (ta.shape(), tb.shape()) {
+            (Some(Shape::Scalar), Some(_)) => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(b).clone();
+                self.add(Kind::Binary(Binary::Divide, b, a), ty)
             }
+            (Some(Shape::Matrix(n, m)), Some(right @ (Shape::Vector(_) | Shape::Matrix(..)))) => {
+                if n.differs(&m) {
+                    return self.not_square(sides.e.span, "solve with", sides.left.span, &ta);
+                }
+                let rows = match &right {
+                    Shape::Vector(rows) | Shape::Matrix(rows, _) => rows.clone(),
+                    Shape::Scalar => return self.error(),
+                };
+                if n.differs(&rows) {
+                    return self.mismatch(
+                        sides,
+                        "solve with",
+                        "and the right side",
+                        &ta,
+                        &tb,
+                        "the right side must have as many rows as the matrix",
+                    );
+                }
+                let (a, b) = (self.real(a), self.real(b));
+                self.add_at(
+                    sides.e.span,
+                    Kind::Binary(Binary::Solve, a, b),
+                    right.real(),
+                )
+            }
+            _ => self.mismatch(
+                sides,
+                "solve with",
+                "and the right side",
+                &ta,
+                &tb,
+                "`A \\ b` takes a square matrix and a vector or matrix",
+            ),
         }
     }
 
@@ -208,8 +358,12 @@ impl<'a> Checker<'a> {
                 let ty = self.ty(a).clone();
                 self.add(Kind::Binary(op, a, b), ty)
             }
-            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if ta == tb => {
-                self.add(Kind::Binary(op, a, b), ta)
+            _ if self.same_shape(&ta, &tb).is_some() => {
+                let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
+                let (a, b) = (self.shaped(a, &shape), self.shaped(b, &shape));
+                let sparse = self.ty(a).is_sparse() && self.ty(b).is_sparse();
+                let ty = if sparse { self.ty(a).clone() } else { shape.real() };
+                self.add(Kind::Binary(op, a, b), ty)
             }
             (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
                 sides,
@@ -239,16 +393,24 @@ impl<'a> Checker<'a> {
                 let ty = self.ty(a).clone();
                 self.add(Kind::Binary(Binary::Multiply, a, b), ty)
             }
-            (Type::Scalar(_), Type::Vector { space: None, .. }) => {
-                let a = self.real(a);
-                self.add(Kind::Binary(Binary::Multiply, a, b), tb)
+            (Type::Scalar(_), _) if tb.shape().is_some() => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(b).clone();
+                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
             }
-            (Type::Vector { space: None, .. }, Type::Scalar(_)) => {
-                let b = self.real(b);
-                self.add(Kind::Binary(Binary::Multiply, b, a), ta)
+            (_, Type::Scalar(_)) if ta.shape().is_some() => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(a).clone();
+                self.add(Kind::Binary(Binary::Multiply, b, a), ty)
             }
-            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot && ta == tb => {
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. })
+                if dot && self.same_shape(&ta, &tb).is_some() =>
+            {
+                let (a, b) = (self.real(a), self.real(b));
                 self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL)
+            }
+            _ if matches!((ta.shape(), tb.shape()), (Some(Shape::Matrix(..)), Some(_)) | (Some(_), Some(Shape::Matrix(..)))) => {
+                self.matrix_product(sides, a, b)
             }
             (Type::Vector { .. }, Type::Vector { .. }) if !dot => self.mismatch(
                 sides,
@@ -314,6 +476,69 @@ impl<'a> Checker<'a> {
                 "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
             ),
             _ => self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit"),
+        }
+    }
+
+    /// The product of a matrix and a vector or another matrix; `A⁻¹ b` is the solution of `A x = b`.
+    fn matrix_product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId) -> ExprId {
+        if let Kind::Unary(Unary::Inverse, matrix) = *self.program.arena.kind(a) {
+            return self.solve(sides, matrix, b);
+        }
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let one = Dimension::known(1);
+        let (Some((n, k)), Some((l, m))) =
+            (ta.shape().and_then(extents), tb.shape().and_then(extents))
+        else {
+            return self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit");
+        };
+        if k.differs(&l) {
+            let help = format!("the left side has {k} columns, the right side {l} rows");
+            return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
+        }
+        let ty = match tb.shape() {
+            _ if n == one && m == one => Type::REAL,
+            Some(Shape::Vector(_)) => Type::real_vector(n),
+            _ => Type::Matrix {
+                number: Number::Real,
+                rows: n,
+                columns: m,
+                sparse: ta.is_sparse() && tb.is_sparse(),
+                spaces: None,
+            },
+        };
+        let (a, b) = (self.real(a), self.real(b));
+        self.add(Kind::Binary(Binary::Product, a, b), ty)
+    }
+
+    /// The shape of two values that can be added: the same, or a vector and a matrix with one column, or a number and a
+    /// 1×1 matrix.
+    pub(super) fn same_shape(&self, a: &Type, b: &Type) -> Option<Shape> {
+        let (a, b) = (a.shape()?, b.shape()?);
+        if !differ(&a, &b) {
+            return Some(a);
+        }
+        let one = Dimension::known(1);
+        match (&a, &b) {
+            (Shape::Vector(n), Shape::Matrix(m, k)) | (Shape::Matrix(m, k), Shape::Vector(n))
+                if *k == one && !n.differs(m) =>
+            {
+                Some(Shape::Vector(n.clone()))
+            }
+            (Shape::Scalar, Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Scalar)
+                if *n == one && *m == one =>
+            {
+                Some(Shape::Scalar)
+            }
+            _ => None,
+        }
+    }
+
+    /// A value in a shape that it can take.
+    pub(super) fn shaped(&mut self, value: ExprId, shape: &Shape) -> ExprId {
+        let value = self.real(value);
+        match self.ty(value).shape() {
+            Some(own) if std::mem::discriminant(&own) == std::mem::discriminant(shape) => value,
+            _ => self.add(Kind::Unary(Unary::Reshape, value), shape.clone().real()),
         }
     }
 
@@ -426,13 +651,6 @@ impl<'a> Checker<'a> {
         if ty.is_error() {
             return value;
         }
-        let two = match subscript {
-            None => true,
-            Some(NormSubscript::Expr(p)) => {
-                matches!(p.kind, crate::syntax::ast::ExprKind::Integer(2))
-            }
-            Some(_) => false,
-        };
         match (&ty, double) {
             (Type::Scalar(number), false) if subscript.is_none() => {
                 self.add(Kind::Unary(Unary::Absolute, value), Type::Scalar(*number))
@@ -440,14 +658,22 @@ impl<'a> Checker<'a> {
             (Type::Set(_), false) if subscript.is_none() => {
                 self.add(Kind::Cardinality(value), Type::INTEGER)
             }
-            (Type::Sequence { .. }, false) if subscript.is_none() => {
-                self.add(Kind::Length(value), Type::INTEGER)
-            }
-            (Type::Vector { space: None, .. }, true) if two => {
-                self.add(Kind::Unary(Unary::Norm, value), Type::REAL)
-            }
-            (Type::Vector { space: None, .. }, true) | (Type::Matrix { .. }, _) => {
-                self.unsupported(e.span, "this norm is")
+            (Type::Sequence { .. }, false) if subscript.is_none() => self.extent(value, 0),
+            (Type::Vector { space: None, .. }, true) => self.vector_norm(e, value, subscript),
+            (Type::Matrix { spaces: None, .. }, true) => self.matrix_norm(e, value, subscript),
+            (
+                Type::Matrix {
+                    rows,
+                    columns,
+                    spaces: None,
+                    ..
+                },
+                false,
+            ) if subscript.is_none() => {
+                if rows.differs(columns) {
+                    return self.not_square(e.span, "take the determinant of", operand.span, &ty);
+                }
+                self.real_unary(Unary::Determinant, value, Shape::Scalar)
             }
             (Type::Vector { .. }, false) => self.bars(
                 e.span,
@@ -476,6 +702,74 @@ impl<'a> Checker<'a> {
         }
     }
 
+    fn vector_norm(
+        &mut self,
+        e: &'a Expr,
+        value: ExprId,
+        subscript: Option<&'a NormSubscript>,
+    ) -> ExprId {
+        let exponent = match subscript {
+            None => return self.real_unary(Unary::Norm, value, Shape::Scalar),
+            Some(NormSubscript::Infinity) => {
+                return self.real_unary(Unary::NormMax, value, Shape::Scalar);
+            }
+            Some(NormSubscript::Nuclear) => return self.norm_subscript(e.span, "a vector"),
+            Some(NormSubscript::Expr(p)) => p,
+        };
+        match exponent.kind {
+            ExprKind::Integer(0) => return self.real_unary(Unary::NormZero, value, Shape::Scalar),
+            ExprKind::Integer(1) => return self.real_unary(Unary::NormOne, value, Shape::Scalar),
+            ExprKind::Integer(2) => return self.real_unary(Unary::Norm, value, Shape::Scalar),
+            _ => {}
+        }
+        let p = self.expr(exponent);
+        let (tp, ty) = (self.ty(p).clone(), self.ty(value).clone());
+        match (tp.shape(), ty.shape()) {
+            (None, _) if tp.is_error() => p,
+            (Some(Shape::Scalar), _) => {
+                let (value, p) = (self.real(value), self.real(p));
+                self.add(Kind::Binary(Binary::NormPower, value, p), Type::REAL)
+            }
+            (Some(Shape::Matrix(n, m)), Some(Shape::Vector(k)))
+                if !n.differs(&k) && !m.differs(&k) =>
+            {
+                let (value, p) = (self.real(value), self.real(p));
+                self.add(Kind::Binary(Binary::NormWeighted, value, p), Type::REAL)
+            }
+            _ => self.norm_subscript(exponent.span, "a vector"),
+        }
+    }
+
+    fn matrix_norm(
+        &mut self,
+        e: &'a Expr,
+        value: ExprId,
+        subscript: Option<&'a NormSubscript>,
+    ) -> ExprId {
+        match subscript {
+            None => self.real_unary(Unary::Norm, value, Shape::Scalar),
+            Some(NormSubscript::Nuclear) => {
+                self.real_unary(Unary::NormNuclear, value, Shape::Scalar)
+            }
+            Some(NormSubscript::Expr(p)) if matches!(&p.kind, ExprKind::Name(n) if n.text == "F") => {
+                self.real_unary(Unary::Norm, value, Shape::Scalar)
+            }
+            Some(_) => self.norm_subscript(e.span, "a matrix"),
+        }
+    }
+
+    fn norm_subscript(&mut self, span: Span, of: &str) -> ExprId {
+        let help = match of {
+            "a vector" => {
+                "the norms of a vector are `‖u‖`, `‖u‖_p` with a number `p`, `‖u‖_∞`, and `‖u‖_P` with a square matrix `P`"
+            }
+            _ => {
+                "the norms of a matrix are `‖A‖` and `‖A‖_F`, the same, and `‖A‖_*`, the nuclear norm"
+            }
+        };
+        self.report(Diagnostic::error(span, format!("this is no norm of {of}")).help(help))
+    }
+
     fn bars(&mut self, span: Span, ty: &Type, operand: Span, help: &str) -> ExprId {
         self.report(
             Diagnostic::error(span, format!("these bars are not defined for {ty}"))
@@ -491,17 +785,37 @@ impl<'a> Checker<'a> {
         right: &'a Expr,
         weight: Option<&'a Expr>,
     ) -> ExprId {
-        if weight.is_some() {
-            return self.unsupported(e.span, "inner products with a weight are");
-        }
         let a = self.expr(left);
         let b = self.expr(right);
+        let weight = weight.map(|w| (w, self.expr(w)));
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
-        if ta.is_error() || tb.is_error() {
+        if ta.is_error() || tb.is_error() || weight.is_some_and(|(_, w)| self.is_error(w)) {
             return self.error();
         }
-        if ta == tb && matches!(ta, Type::Vector { space: None, .. }) {
-            return self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL);
+        if let (Some(Shape::Vector(n)), Some(Shape::Vector(m))) = (ta.shape(), tb.shape())
+            && !n.differs(&m)
+        {
+            let (a, b) = (self.real(a), self.real(b));
+            let Some((syntax, w)) = weight else {
+                return self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL);
+            };
+            let tw = self.ty(w).clone();
+            return match tw.shape() {
+                Some(Shape::Matrix(p, q)) if !p.differs(&n) && !q.differs(&n) => {
+                    let w = self.real(w);
+                    let weighted =
+                        self.add(Kind::Binary(Binary::Product, w, a), Type::real_vector(n));
+                    self.add(Kind::Binary(Binary::Dot, b, weighted), Type::REAL)
+                }
+                _ => self.report(
+                    Diagnostic::error(
+                        syntax.span,
+                        format!("the weight of an inner product in {ta} cannot be {tw}"),
+                    )
+                    .here(format!("this is {tw}"))
+                    .help("the weight is a square matrix with as many rows as the vectors"),
+                ),
+            };
         }
         let sides = Sides { e, left, right };
         self.mismatch(
@@ -521,4 +835,23 @@ struct Sides<'a> {
     e: &'a Expr,
     left: &'a Expr,
     right: &'a Expr,
+}
+
+/// Rows and columns: a number is 1×1, a vector has one column.
+pub(super) fn extents(shape: Shape) -> Option<(Dimension, Dimension)> {
+    match shape {
+        Shape::Scalar => Some((Dimension::known(1), Dimension::known(1))),
+        Shape::Vector(n) => Some((n, Dimension::known(1))),
+        Shape::Matrix(n, m) => Some((n, m)),
+    }
+}
+
+/// Whether two shapes are known to be different.
+fn differ(a: &Shape, b: &Shape) -> bool {
+    match (a, b) {
+        (Shape::Scalar, Shape::Scalar) => false,
+        (Shape::Vector(n), Shape::Vector(m)) => n.differs(m),
+        (Shape::Matrix(n, m), Shape::Matrix(p, q)) => n.differs(p) || m.differs(q),
+        _ => true,
+    }
 }

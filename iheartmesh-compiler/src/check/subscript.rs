@@ -13,16 +13,25 @@ impl<'a> Checker<'a> {
         base: &'a Expr,
         subscripts: &'a [Subscript],
     ) -> ExprId {
+        if let (crate::syntax::ast::ExprKind::Name(name), [Subscript::Expr(size)]) =
+            (&base.kind, subscripts)
+            && name.text == "I"
+            && !self.is_bound("I")
+        {
+            return self.identity(size);
+        }
         let value = self.expr(base);
         let ty = self.ty(value).clone();
         if ty.is_error() {
             return value;
         }
+        if subscripts.iter().any(|s| matches!(s, Subscript::All(_))) {
+            return self.slice(e, base, value, subscripts);
+        }
         let mut indices = Vec::new();
         for subscript in subscripts {
-            match subscript {
-                Subscript::Expr(index) => indices.push((index, self.expr(index))),
-                Subscript::All(span) => return self.unsupported(*span, "slices are"),
+            if let Subscript::Expr(index) = subscript {
+                indices.push((index, self.expr(index)));
             }
         }
         if indices.iter().any(|(_, i)| self.is_error(*i)) {
@@ -32,6 +41,7 @@ impl<'a> Checker<'a> {
             Type::Matrix { .. } => 2,
             Type::Sequence { item, .. } => match &**item {
                 Type::Vector { .. } if indices.len() == 2 => 2,
+                Type::Matrix { .. } if indices.len() == 3 => 3,
                 _ => 1,
             },
             Type::Vector { .. } | Type::Set(_) | Type::Tuple(_) | Type::CellularSet(_) => 1,
@@ -71,7 +81,7 @@ impl<'a> Checker<'a> {
                 }
                 self.add(Kind::Entry(boundary, row.1, column.1), Type::INTEGER)
             }
-            Type::Matrix { .. } => self.unsupported(e.span, "matrices are"),
+            Type::Matrix { number, .. } => self.entry(e, value, [indices[0], indices[1]], number),
             Type::Sequence { item, index, .. } => {
                 if let Some(element) = index {
                     if !self.is_index_of(indices[0], element, base) {
@@ -81,12 +91,17 @@ impl<'a> Checker<'a> {
                     return self.error();
                 }
                 self.note_indexed_by(value, indices[0].1);
+                self.note_index_use(indices[0], value, 0);
                 let item = *item;
                 let found = self.add_at(e.span, Kind::Item(value, indices[0].1), item.clone());
                 match (indices.get(1), &item) {
                     (Some(second), Type::Vector { number, .. }) => {
                         let (second, number) = (*second, *number);
                         self.component(e, found, second, number)
+                    }
+                    (Some(second), Type::Matrix { number, .. }) => {
+                        let (indices, number) = ([*second, indices[2]], *number);
+                        self.entry(e, found, indices, number)
                     }
                     _ => found,
                 }
@@ -140,6 +155,7 @@ impl<'a> Checker<'a> {
         if !self.is_integer(index, "a vector") {
             return self.error();
         }
+        self.note_index_use(index, vector, 0);
         let length = self.ty(vector).fixed_vector();
         if let (Kind::Integer(k), Some(n)) = (self.program.arena.kind(index.1), length)
             && (*k < 1 || *k > n)
@@ -155,6 +171,120 @@ impl<'a> Checker<'a> {
             Kind::Component(vector, index.1),
             Type::Scalar(number),
         )
+    }
+
+    /// An entry of a matrix.
+    fn entry(
+        &mut self,
+        e: &Expr,
+        matrix: ExprId,
+        indices: [(&'a Expr, ExprId); 2],
+        number: Number,
+    ) -> ExprId {
+        for (axis, index) in indices.into_iter().enumerate() {
+            if !self.is_integer(index, "a matrix") {
+                return self.error();
+            }
+            self.note_index_use(index, matrix, axis as u8);
+            if !self.in_range(matrix, axis, index) {
+                return self.error();
+            }
+        }
+        self.add_at(
+            e.span,
+            Kind::At(matrix, indices[0].1, indices[1].1),
+            Type::Scalar(number),
+        )
+    }
+
+    /// Whether a subscript that stands in the text is within a size that stands in the text.
+    fn in_range(&mut self, matrix: ExprId, axis: usize, index: (&'a Expr, ExprId)) -> bool {
+        let size = match (self.ty(matrix), axis) {
+            (Type::Matrix { rows, .. }, 0) => rows.value(),
+            (Type::Matrix { columns, .. }, _) => columns.value(),
+            _ => None,
+        };
+        match (self.program.arena.kind(index.1), size) {
+            (Kind::Integer(k), Some(n)) if *k < 1 || *k > n => {
+                let what = if axis == 0 { "row" } else { "column" };
+                let message = format!("a matrix with {n} {what}s has no {what} {k}");
+                self.report(
+                    Diagnostic::error(index.0.span, message)
+                        .help(format!("{what}s are numbered from 1 to {n}")),
+                );
+                false
+            }
+            _ => true,
+        }
+    }
+
+    /// `A_i,*`, `A_*,j`, `q_i,*,c`.
+    fn slice(
+        &mut self,
+        e: &'a Expr,
+        base: &'a Expr,
+        value: ExprId,
+        subscripts: &'a [Subscript],
+    ) -> ExprId {
+        let (mut matrix, mut rest) = (value, subscripts);
+        if let (Type::Sequence { item, .. }, Some((Subscript::Expr(first), others))) =
+            (self.ty(value).clone(), subscripts.split_first())
+            && matches!(*item, Type::Matrix { .. })
+        {
+            let index = self.expr(first);
+            if self.is_error(index) || !self.is_index((first, index)) {
+                return self.error();
+            }
+            self.note_indexed_by(value, index);
+            self.note_index_use((first, index), value, 0);
+            matrix = self.add_at(e.span, Kind::Item(value, index), *item);
+            rest = others;
+        }
+        let ty = self.ty(matrix).clone();
+        let Type::Matrix {
+            number,
+            rows,
+            columns,
+            spaces: None,
+            ..
+        } = ty
+        else {
+            return self.report(
+                Diagnostic::error(e.span, format!("{ty} has no rows and columns to take"))
+                    .label(base.span, format!("this is {ty}"))
+                    .help("`*` stands for all of a row or column of a matrix"),
+            );
+        };
+        let vector = |length| Type::Vector {
+            number,
+            length,
+            sparse: false,
+            space: None,
+        };
+        let (index, axis, length) = match rest {
+            [Subscript::Expr(row), Subscript::All(_)] => (row, 0u8, columns),
+            [Subscript::All(_), Subscript::Expr(column)] => (column, 1, rows),
+            [Subscript::All(_), Subscript::All(_)] => return matrix,
+            _ => {
+                return self.report(
+                    Diagnostic::error(e.span, "a matrix takes two subscripts")
+                        .help("write `A_i,*` for a row and `A_*,j` for a column"),
+                );
+            }
+        };
+        let number = self.expr(index);
+        if self.is_error(number)
+            || !self.is_integer((index, number), "a matrix")
+            || !self.in_range(matrix, usize::from(axis), (index, number))
+        {
+            return self.error();
+        }
+        self.note_index_use((index, number), matrix, axis);
+        let kind = match axis {
+            0 => Kind::RowOf(matrix, number),
+            _ => Kind::ColumnOf(matrix, number),
+        };
+        self.add_at(e.span, kind, vector(length))
     }
 
     fn is_integer(&mut self, index: (&'a Expr, ExprId), what: &str) -> bool {

@@ -144,6 +144,9 @@ impl Arena {
                 debug_assert!(!self.depends_on(*set, *variable));
             }
         }
+        if let Kind::Tabulate { variables, .. } = kind {
+            free.retain(|v| !variables.contains(v));
+        }
         free.sort_unstable();
         free.dedup();
         free.into()
@@ -162,14 +165,29 @@ impl Kind {
             | Kind::Global(_)
             | Kind::AllElements(_)
             | Kind::Boundary(_)
+            | Kind::Size(_)
             | Kind::Fail
             | Kind::Column(..) => {}
-            Kind::Call(_, list) | Kind::Vector(list) | Kind::Tuple(list) | Kind::Set(list) => {
-                list.iter().copied().for_each(f)
+            Kind::Call(_, list)
+            | Kind::HostCall(_, list)
+            | Kind::Vector(list)
+            | Kind::Tuple(list)
+            | Kind::Sequence(list)
+            | Kind::Set(list) => list.iter().copied().for_each(f),
+            Kind::Blocks(rows) => rows.iter().flatten().copied().for_each(f),
+            Kind::Filled(value, sizes) => {
+                f(*value);
+                sizes.iter().copied().for_each(f);
+            }
+            Kind::Tabulate { sizes, body, .. } => {
+                sizes.iter().copied().for_each(&mut f);
+                f(*body);
             }
             Kind::Unary(_, a)
             | Kind::Not(a)
-            | Kind::Length(a)
+            | Kind::Extent(a, _)
+            | Kind::Identity(a)
+            | Kind::SequenceOf(a)
             | Kind::Project(a, _)
             | Kind::Cardinality(a)
             | Kind::Sized(a, _)
@@ -184,6 +202,8 @@ impl Kind {
             | Kind::Or(a, b)
             | Kind::Component(a, b)
             | Kind::Item(a, b)
+            | Kind::RowOf(a, b)
+            | Kind::ColumnOf(a, b)
             | Kind::SetOp(_, a, b)
             | Kind::SetItem(a, b)
             | Kind::Member(a, b)
@@ -192,7 +212,7 @@ impl Kind {
                 f(*a);
                 f(*b);
             }
-            Kind::If(a, b, c) => {
+            Kind::If(a, b, c) | Kind::At(a, b, c) | Kind::Agree(a, b, c) => {
                 f(*a);
                 f(*b);
                 f(*c);
@@ -229,14 +249,29 @@ impl Kind {
             | Kind::Global(_)
             | Kind::AllElements(_)
             | Kind::Boundary(_)
+            | Kind::Size(_)
             | Kind::Fail
             | Kind::Column(..) => {}
-            Kind::Call(_, list) | Kind::Vector(list) | Kind::Tuple(list) | Kind::Set(list) => {
-                list.iter_mut().for_each(|e| *e = f(*e))
+            Kind::Call(_, list)
+            | Kind::HostCall(_, list)
+            | Kind::Vector(list)
+            | Kind::Tuple(list)
+            | Kind::Sequence(list)
+            | Kind::Set(list) => list.iter_mut().for_each(|e| *e = f(*e)),
+            Kind::Blocks(rows) => rows.iter_mut().flatten().for_each(|e| *e = f(*e)),
+            Kind::Filled(value, sizes) => {
+                *value = f(*value);
+                sizes.iter_mut().for_each(|e| *e = f(*e));
+            }
+            Kind::Tabulate { sizes, body, .. } => {
+                sizes.iter_mut().for_each(|e| *e = f(*e));
+                *body = f(*body);
             }
             Kind::Unary(_, a)
             | Kind::Not(a)
-            | Kind::Length(a)
+            | Kind::Extent(a, _)
+            | Kind::Identity(a)
+            | Kind::SequenceOf(a)
             | Kind::Project(a, _)
             | Kind::Cardinality(a)
             | Kind::Sized(a, _)
@@ -251,6 +286,8 @@ impl Kind {
             | Kind::Or(a, b)
             | Kind::Component(a, b)
             | Kind::Item(a, b)
+            | Kind::RowOf(a, b)
+            | Kind::ColumnOf(a, b)
             | Kind::SetOp(_, a, b)
             | Kind::SetItem(a, b)
             | Kind::Member(a, b)
@@ -259,7 +296,7 @@ impl Kind {
                 *a = f(*a);
                 *b = f(*b);
             }
-            Kind::If(a, b, c) => {
+            Kind::If(a, b, c) | Kind::At(a, b, c) | Kind::Agree(a, b, c) => {
                 *a = f(*a);
                 *b = f(*b);
                 *c = f(*c);

@@ -191,6 +191,7 @@ impl Writer<'_> {
                     Unary::ToReal => "real".to_owned(),
                     Unary::ToInteger => "integer".to_owned(),
                     Unary::Apply(function) => format!("{function:?}").to_lowercase(),
+                    other => spelled(&format!("{other:?}")),
                 };
                 self.call(&name, &[*a]);
             }
@@ -205,6 +206,8 @@ impl Writer<'_> {
                 Binary::Atan2 => self.call("atan2", &[*a, *b]),
                 Binary::Min => self.call("min", &[*a, *b]),
                 Binary::Max => self.call("max", &[*a, *b]),
+                Binary::Product => self.infix(*a, " · ", *b),
+                other => self.call(&spelled(&format!("{other:?}")), &[*a, *b]),
             },
             Kind::Compare(op, a, b) => self.infix(*a, compare_sign(*op), *b),
             Kind::And(a, b) => self.infix(*a, " and ", *b),
@@ -217,7 +220,59 @@ impl Writer<'_> {
                 self.expr(*b);
                 self.put("]");
             }
-            Kind::Length(a) => self.call("length", &[*a]),
+            Kind::Extent(a, axis) => self.call(if *axis == 0 { "rows" } else { "columns" }, &[*a]),
+            Kind::Size(size) => self.put(&format!("⌗{size}")),
+            Kind::At(a, i, j) => {
+                self.expr(*a);
+                self.put("[");
+                self.list(&[*i, *j]);
+                self.put("]");
+            }
+            Kind::RowOf(a, i) => self.call("row", &[*a, *i]),
+            Kind::ColumnOf(a, i) => self.call("column", &[*a, *i]),
+            Kind::Blocks(rows) => {
+                self.put("[");
+                for (k, row) in rows.iter().enumerate() {
+                    if k > 0 {
+                        self.put("; ");
+                    }
+                    self.list(row);
+                }
+                self.put("]");
+            }
+            Kind::Filled(value, sizes) => {
+                let all: Vec<ExprId> = [*value].into_iter().chain(sizes.iter().copied()).collect();
+                self.call("filled", &all);
+            }
+            Kind::Identity(n) => self.call("identity", &[*n]),
+            Kind::Tabulate {
+                layout,
+                variables,
+                sizes,
+                body,
+            } => {
+                self.put(&spelled(&format!("{layout:?}")));
+                for (variable, size) in variables.iter().zip(sizes) {
+                    let name = format!(
+                        "({}.{} to ",
+                        self.arena().variable_name(*variable),
+                        variable.0
+                    );
+                    self.put(&name);
+                    self.expr(*size);
+                    self.put(")");
+                }
+                self.put(": (");
+                self.expr(*body);
+                self.put(")");
+            }
+            Kind::Sequence(items) => self.call("sequence", items),
+            Kind::SequenceOf(a) => self.call("sequence of ", &[*a]),
+            Kind::HostCall(id, arguments) => {
+                let name = format!("host {}", self.program.input(*id).name);
+                self.call(&name, arguments);
+            }
+            Kind::Agree(a, b, value) => self.call("agree", &[*a, *b, *value]),
             Kind::Tuple(items) => self.call("tuple", items),
             Kind::Project(a, k) => {
                 self.expr(*a);
@@ -317,6 +372,18 @@ impl Writer<'_> {
             self.program.mesh(b.mesh).name
         )
     }
+}
+
+/// `NormMax` as `norm max`.
+fn spelled(name: &str) -> String {
+    let mut text = String::new();
+    for (k, c) in name.chars().enumerate() {
+        if k > 0 && c.is_uppercase() {
+            text.push(' ');
+        }
+        text.extend(c.to_lowercase());
+    }
+    text
 }
 
 /// The sign of a relation, with spaces.

@@ -24,7 +24,7 @@ pub use program::{
 };
 
 use crate::syntax::ast::CompareOp;
-use crate::types::{Element, MeshId};
+use crate::types::{Dimension, Element, MeshId};
 
 /// A bound variable or a function's parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,8 +39,48 @@ pub enum Unary {
     Absolute,
     /// `√a`.
     SquareRoot,
-    /// `‖a‖₂` of a vector.
+    /// `‖a‖₂` of a vector, the Frobenius norm of a matrix.
     Norm,
+    /// The sum of the absolute values of the entries.
+    NormOne,
+    /// The largest absolute value of the entries.
+    NormMax,
+    /// The number of entries other than 0.
+    NormZero,
+    /// The sum of the singular values.
+    NormNuclear,
+    /// `aᵀ`.
+    Transpose,
+    /// `a⁻¹` of a matrix.
+    Inverse,
+    /// `a⁺`.
+    PseudoInverse,
+    /// The determinant.
+    Determinant,
+    /// The sum of the diagonal.
+    Trace,
+    /// The rank.
+    Rank,
+    /// The diagonal of a matrix, or the matrix with this diagonal.
+    Diagonal,
+    /// The columns of a matrix, or the items of a sequence, one below the other.
+    Stack,
+    /// A basis of the kernel, in columns.
+    NullSpace,
+    /// A basis of the column space, in columns.
+    OrthogonalBasis,
+    /// The singular value decomposition: a tuple of `U`, the singular values, `V`.
+    SingularValues,
+    /// The least entry of a vector or matrix, the least item of a sequence.
+    Least,
+    /// The greatest entry of a vector or matrix, the greatest item of a sequence.
+    Greatest,
+    /// The positive semi-definite matrix nearest to a symmetric one.
+    PositivePart,
+    /// A symmetric matrix with the absolute values of its eigenvalues.
+    AbsolutePart,
+    /// A vector as a matrix with one column, a 1×1 matrix as a number, and back: the type says which.
+    Reshape,
     /// An integer as a real number.
     ToReal,
     /// The mathematical number of an element: its host number plus one.
@@ -97,6 +137,43 @@ pub enum Binary {
     Min,
     /// The greater number.
     Max,
+    /// The product of matrices, or of a matrix and a vector.
+    Product,
+    /// The product entry by entry.
+    Hadamard,
+    /// The Kronecker product.
+    Kronecker,
+    /// The sum of the products of the entries.
+    Frobenius,
+    /// The solution `x` of `a x = b`.
+    Solve,
+    /// A matrix to an integer or real power.
+    MatrixPower,
+    /// `‖a‖_p` with any exponent `p`.
+    NormPower,
+    /// `√(aᵀ P a)`.
+    NormWeighted,
+    /// The inverse of [`Unary::Stack`]: the entries of the right side in the shape of the left one.
+    Unstack,
+    /// A sequence with an item added at the end.
+    Append,
+}
+
+/// What an element-wise definition makes of its values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Layout {
+    /// Numbers as the entries of a vector.
+    Vector,
+    /// Values as the items of a sequence.
+    Sequence,
+    /// Numbers as the entries of a matrix.
+    Matrix,
+    /// Vectors as the rows of a matrix.
+    Rows,
+    /// Vectors as the columns of a matrix.
+    Columns,
+    /// Numbers on the diagonal of a sparse matrix.
+    Diagonal,
 }
 
 /// Operations with two sets.
@@ -190,8 +267,41 @@ pub enum Kind {
     Component(ExprId, ExprId),
     /// An item of a sequence, by an element or by its number from 1.
     Item(ExprId, ExprId),
-    /// Number of items of a sequence, entries of a vector.
-    Length(ExprId),
+    /// A size: the number of items or rows (0), of columns (1).
+    Extent(ExprId, u8),
+    /// A size by its symbols.
+    Size(Dimension),
+    /// An entry of a matrix, by its numbers from 1.
+    At(ExprId, ExprId, ExprId),
+    /// A row of a matrix as a vector, by its number from 1.
+    RowOf(ExprId, ExprId),
+    /// A column of a matrix as a vector, by its number from 1.
+    ColumnOf(ExprId, ExprId),
+    /// A matrix by its rows of blocks: numbers, vectors and matrices.
+    Blocks(Vec<Vec<ExprId>>),
+    /// A vector or matrix with one number everywhere, by its sizes; a vector has one.
+    Filled(ExprId, Vec<ExprId>),
+    /// The identity matrix of a size.
+    Identity(ExprId),
+    /// An element-wise definition: the body for all values of the variables, from 1 to the sizes.
+    Tabulate {
+        /// What is made of the values.
+        layout: Layout,
+        /// The indices.
+        variables: Vec<VariableId>,
+        /// How far each runs.
+        sizes: Vec<ExprId>,
+        /// The value for each.
+        body: ExprId,
+    },
+    /// A sequence by its items.
+    Sequence(Vec<ExprId>),
+    /// A set as a sequence, ascending.
+    SequenceOf(ExprId),
+    /// A call of a function that the host handed in.
+    HostCall(InputId, Vec<ExprId>),
+    /// Two sizes that must agree at run time, then the value.
+    Agree(ExprId, ExprId, ExprId),
     /// A tuple.
     Tuple(Vec<ExprId>),
     /// An item of a tuple, from 0.

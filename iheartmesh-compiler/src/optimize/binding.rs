@@ -91,7 +91,12 @@ impl Expressions<'_> {
             Kind::Input(id) => matches!(program.input(*id).ty, Type::Mesh(..)),
             Kind::Global(id) => self.binding.globals[id.0 as usize],
             Kind::Call(id, _) => self.binding.functions[id.0 as usize],
-            Kind::Field(..) | Kind::Column(..) => false,
+            Kind::Field(..) | Kind::Column(..) | Kind::HostCall(..) => false,
+            Kind::Size(size) => size.is_of_meshes(),
+            Kind::Tabulate { variables, .. } => {
+                self.variables.extend(variables);
+                true
+            }
             Kind::Fold {
                 variable, range, ..
             } => {

@@ -12,7 +12,9 @@ use std::collections::HashMap;
 
 use super::binding::{Binding, Expressions};
 use super::{Column, Plan, Rows, Space, Staged, StagedProgram};
-use crate::ir::{Arena, ExprId, Function, FunctionId, GlobalId, Kind, Program, Range, VariableId};
+use crate::ir::{
+    Arena, Binary, ExprId, Function, FunctionId, GlobalId, Kind, Program, Range, Unary, VariableId,
+};
 use crate::types::{Element, Type};
 
 /// Stages every function and definition that depends on values. Without `tabulate` the plans are empty.
@@ -306,9 +308,15 @@ impl MayFail {
     /// Whether an expression itself may fail, when its operands do not.
     pub fn own(&self, arena: &Arena, e: ExprId) -> bool {
         match arena.kind(e) {
-            Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) => true,
+            Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
+            Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) => true,
+            Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
+            Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
             Kind::Fold { op, .. } => matches!(op, crate::ir::Fold::Min | crate::ir::Fold::Max),
-            Kind::Component(_, index) => !matches!(arena.kind(*index), Kind::Integer(_)),
+            Kind::Component(vector, index) => {
+                !matches!(arena.kind(*index), Kind::Integer(_))
+                    || arena.ty(*vector).fixed_vector().is_none()
+            }
             Kind::Item(_, index) => !arena.ty(*index).is_element(),
             Kind::Call(id, _) => self.function(*id),
             Kind::Global(id) => self.globals[id.0 as usize],

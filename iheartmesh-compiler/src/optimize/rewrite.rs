@@ -76,18 +76,29 @@ impl Substitution {
                         condition,
                         body,
                     } => {
-                        let (name, ty) = (
-                            arena.variable_name(variable).to_owned(),
-                            arena.variable_type(variable).clone(),
-                        );
-                        let fresh = arena.new_variable(&name, ty);
-                        let value = arena.variable(fresh);
-                        self.variables.insert(variable, value);
+                        let variable = self.fresh(arena, variable);
                         Kind::Fold {
                             op,
-                            variable: fresh,
+                            variable,
                             range,
                             condition,
+                            body,
+                        }
+                    }
+                    Kind::Tabulate {
+                        layout,
+                        variables,
+                        sizes,
+                        body,
+                    } => {
+                        let variables = variables
+                            .into_iter()
+                            .map(|v| self.fresh(arena, v))
+                            .collect();
+                        Kind::Tabulate {
+                            layout,
+                            variables,
+                            sizes,
                             body,
                         }
                     }
@@ -104,5 +115,17 @@ impl Substitution {
         };
         self.memo.insert(e, done);
         done
+    }
+
+    /// A new variable in place of a bound one.
+    fn fresh(&mut self, arena: &mut Arena, variable: VariableId) -> VariableId {
+        let (name, ty) = (
+            arena.variable_name(variable).to_owned(),
+            arena.variable_type(variable).clone(),
+        );
+        let fresh = arena.new_variable(&name, ty);
+        let value = arena.variable(fresh);
+        self.variables.insert(variable, value);
+        fresh
     }
 }

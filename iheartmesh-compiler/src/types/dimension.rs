@@ -97,6 +97,33 @@ impl Dimension {
         self != other && !self.is_dynamic() && !other.is_dynamic()
     }
 
+    /// The sum of products that it is: coefficients with their atoms.
+    pub fn terms(&self) -> impl Iterator<Item = (i64, &[Atom])> {
+        self.terms.iter().map(|(atoms, k)| (*k, atoms.as_slice()))
+    }
+
+    /// Whether it depends on nothing but numbers of mesh elements.
+    pub fn is_of_meshes(&self) -> bool {
+        self.terms
+            .keys()
+            .flatten()
+            .all(|atom| matches!(atom, Atom::Count(_)))
+    }
+
+    /// The size with symbols replaced.
+    pub fn substitute(&self, replace: &dyn Fn(&Atom) -> Option<Dimension>) -> Dimension {
+        let mut sum = Self::known(0);
+        for (atoms, k) in &self.terms {
+            let mut product = Some(Self::known(*k));
+            for atom in atoms {
+                let factor = replace(atom).unwrap_or_else(|| Self::atom(atom.clone()));
+                product = product.and_then(|p| p.multiply(&factor));
+            }
+            sum = product.and_then(|p| sum.add(&p)).unwrap_or(sum);
+        }
+        sum
+    }
+
     fn is_dynamic(&self) -> bool {
         self.terms
             .keys()

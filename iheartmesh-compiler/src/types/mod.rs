@@ -103,6 +103,81 @@ impl Type {
         }
     }
 
+    /// A dense real column vector.
+    pub fn real_vector(length: Dimension) -> Type {
+        Type::Vector {
+            number: Number::Real,
+            length,
+            sparse: false,
+            space: None,
+        }
+    }
+
+    /// A dense real matrix.
+    pub fn real_matrix(rows: Dimension, columns: Dimension) -> Type {
+        Type::Matrix {
+            number: Number::Real,
+            rows,
+            columns,
+            sparse: false,
+            spaces: None,
+        }
+    }
+
+    /// Number, vector or matrix, with its size; nothing for what else there is, chains and boundary matrices among it.
+    pub fn shape(&self) -> Option<Shape> {
+        match self {
+            Type::Scalar(_) => Some(Shape::Scalar),
+            Type::Vector {
+                length,
+                space: None,
+                ..
+            } => Some(Shape::Vector(length.clone())),
+            Type::Matrix {
+                rows,
+                columns,
+                spaces: None,
+                ..
+            } => Some(Shape::Matrix(rows.clone(), columns.clone())),
+            _ => None,
+        }
+    }
+
+    /// Whether it is a sparse vector or matrix.
+    pub fn is_sparse(&self) -> bool {
+        matches!(
+            self,
+            Type::Vector { sparse: true, .. } | Type::Matrix { sparse: true, .. }
+        )
+    }
+
+    /// Whether its numbers are integers.
+    pub fn is_integer(&self) -> bool {
+        matches!(
+            self,
+            Type::Scalar(Number::Integer)
+                | Type::Vector {
+                    number: Number::Integer,
+                    ..
+                }
+                | Type::Matrix {
+                    number: Number::Integer,
+                    ..
+                }
+        )
+    }
+
+    /// The same with real numbers.
+    pub fn with_reals(&self) -> Type {
+        let mut ty = self.clone();
+        if let Type::Scalar(number) | Type::Vector { number, .. } | Type::Matrix { number, .. } =
+            &mut ty
+        {
+            *number = Number::Real;
+        }
+        ty
+    }
+
     /// Whether it is the type of what is in error, or is made of such.
     pub fn is_error(&self) -> bool {
         match self {
@@ -144,6 +219,28 @@ impl Type {
                 ..
             } => length.value(),
             _ => None,
+        }
+    }
+}
+
+/// What has a size of its own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A number.
+    Scalar,
+    /// A column vector of this length.
+    Vector(Dimension),
+    /// A matrix of so many rows and columns.
+    Matrix(Dimension, Dimension),
+}
+
+impl Shape {
+    /// The dense real type of this shape.
+    pub fn real(self) -> Type {
+        match self {
+            Shape::Scalar => Type::REAL,
+            Shape::Vector(length) => Type::real_vector(length),
+            Shape::Matrix(rows, columns) => Type::real_matrix(rows, columns),
         }
     }
 }

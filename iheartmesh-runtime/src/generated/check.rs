@@ -115,21 +115,25 @@ pub fn check_length(
     })
 }
 
-/// The lengths of two sequences with one subscript letter.
-pub fn check_same_length(
-    first: &str,
-    first_length: usize,
-    second: &str,
-    second_length: usize,
+/// A size of a parameter: `what` is found, where another parameter or the mesh asks for `expected`.
+pub fn check_size(
+    parameter: &str,
+    what: &str,
+    found: i64,
+    expected: i64,
+    written: &str,
+    source: &str,
 ) -> Result<(), Error> {
-    if first_length == second_length {
+    if found == expected {
         return Ok(());
     }
-    Err(Error::Disagree {
-        first: first.to_owned(),
-        first_length,
-        second: second.to_owned(),
-        second_length,
+    Err(Error::Size {
+        parameter: parameter.to_owned(),
+        what: what.to_owned(),
+        found,
+        expected,
+        written: written.to_owned(),
+        source: source.to_owned(),
     })
 }
 

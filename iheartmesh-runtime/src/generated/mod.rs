@@ -3,23 +3,29 @@
 mod all;
 mod chain;
 mod check;
+mod dense;
 mod fault;
 mod ids;
+mod linear;
 mod orbit;
+mod sparse;
 mod table;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
-    Shown, check_argument, check_cellular_set, check_element, check_length, check_same_length,
-    check_set, check_set_argument, fail, undefined,
+    Shown, check_argument, check_cellular_set, check_element, check_length, check_set,
+    check_set_argument, check_size, fail, undefined,
 };
+pub use dense::*;
 pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};
 pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,
 };
+pub use linear::*;
 pub use orbit::Orbits;
+pub use sparse::*;
 pub use table::{Dense, Rows, Table, concatenated};
 
 /// Stands in a row where an element is missing.

@@ -224,7 +224,7 @@ impl<'a> Body<'a> {
         let inner = self.context.inner_type(ty);
         match op {
             Fold::Sum => {
-                let zero = self.context.zero_of(ty);
+                let zero = self.zero(e, ty);
                 (quote!(let mut sum: #inner = #zero;), quote!(sum))
             }
             Fold::Product => match ty {
@@ -255,12 +255,112 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// What a sum starts from. Sizes known only at run time are asked of the arguments that bring them along.
+    fn zero(&self, _e: ExprId, ty: &Type) -> TokenStream {
+        self.context.zero_of(ty)
+    }
+
+    /// An element-wise definition.
+    pub(super) fn tabulate(&mut self, e: ExprId) -> TokenStream {
+        let Kind::Tabulate {
+            layout,
+            variables,
+            sizes,
+            body,
+        } = self.kind(e)
+        else {
+            panic!("bug in iheartmesh: no element-wise definition");
+        };
+        let names: Vec<TokenStream> = variables.iter().map(|v| self.variable_name(*v)).collect();
+        let sizes: Vec<TokenStream> = sizes.iter().map(|s| self.owned(*s)).collect();
+        let outside = self.placement.part(e, Part::Loop);
+        let before = self.statements(outside, &[]);
+        let ty = self.context.inner_type(self.ty(e));
+        if let ([first, second], [n, m]) = (names.as_slice(), sizes.as_slice()) {
+            let inside = self.placement.part(e, Part::Taken);
+            let statements = self.statements(inside, &[]);
+            let value = self.owned(*body);
+            return quote!({
+                let (n, m) = (#n, #m);
+                let mut all = <#ty as rt::Build>::zeros(rt::size(n), rt::size(m));
+                for #first in 1..=n {
+                    #before
+                    for #second in 1..=m {
+                        #statements
+                        let value = #value;
+                        rt::Build::set(&mut all, (#first - 1) as usize, (#second - 1) as usize, value);
+                    }
+                }
+                all
+            });
+        }
+        let (first, n) = (&names[0], &sizes[0]);
+        match layout {
+            crate::ir::Layout::Vector | crate::ir::Layout::Matrix => {
+                let value = self.owned(*body);
+                quote!({
+                    let n = #n;
+                    let mut all = <#ty as rt::Build>::zeros(rt::size(n), 1);
+                    for #first in 1..=n {
+                        #before
+                        let value = #value;
+                        rt::Build::set(&mut all, (#first - 1) as usize, 0, value);
+                    }
+                    all
+                })
+            }
+            crate::ir::Layout::Sequence | crate::ir::Layout::Diagonal => {
+                let value = self.owned(*body);
+                let finish = match layout {
+                    crate::ir::Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
+                    _ => quote!(all),
+                };
+                quote!({
+                    let mut all = ::std::vec::Vec::new();
+                    for #first in 1..=#n {
+                        #before
+                        all.push(#value);
+                    }
+                    #finish
+                })
+            }
+            crate::ir::Layout::Rows | crate::ir::Layout::Columns => {
+                let value = self.owned(*body);
+                let (rows, columns, put) = match layout {
+                    crate::ir::Layout::Rows => (
+                        quote!(items.len()),
+                        quote!(items.first().map_or(0, |item| rt::Array::rows(item))),
+                        quote!(rt::Array::entry(&items[i], j, 0)),
+                    ),
+                    _ => (
+                        quote!(items.first().map_or(0, |item| rt::Array::rows(item))),
+                        quote!(items.len()),
+                        quote!(rt::Array::entry(&items[j], i, 0)),
+                    ),
+                };
+                quote!({
+                    let mut items = ::std::vec::Vec::new();
+                    for #first in 1..=#n {
+                        #before
+                        items.push(#value);
+                    }
+                    <#ty as rt::Build>::build(#rows, #columns, |i, j| #put)
+                })
+            }
+        }
+    }
+
     /// What a loop does with each value.
     fn step(&mut self, op: Fold, ty: &Type, body: ExprId) -> TokenStream {
         match op {
-            Fold::Sum => {
+            Fold::Sum if ty.is_scalar() || super::types::is_glam(ty) => {
                 let value = self.owned(body);
                 quote!(sum += #value;)
+            }
+            Fold::Sum => {
+                let value = self.reference(body);
+                let inner = self.context.inner_type(ty);
+                quote!(sum = rt::zip::<#inner>(&sum, #value, |a, b| a + b);)
             }
             Fold::Product => {
                 let value = self.owned(body);
@@ -387,6 +487,13 @@ pub(super) fn is_copy(ty: &Type) -> bool {
     match ty {
         Type::Scalar(_) | Type::Boolean | Type::Element(_) => true,
         Type::Vector { .. } => ty.fixed_vector().is_some(),
+        Type::Matrix {
+            rows,
+            columns,
+            sparse: false,
+            spaces: None,
+            ..
+        } => rows.value().is_some() && columns.value().is_some(),
         Type::Tuple(items) => items.iter().all(is_copy),
         _ => false,
     }

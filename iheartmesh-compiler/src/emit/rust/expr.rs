@@ -26,6 +26,9 @@ impl Body<'_> {
     /// A reference to the value of an expression.
     pub(super) fn reference(&mut self, e: ExprId) -> TokenStream {
         let Some(name) = self.names.get(&e).cloned() else {
+            if let Some(place) = self.place_of(e) {
+                return place;
+            }
             let value = self.value(e);
             return quote!(&#value);
         };
@@ -33,6 +36,42 @@ impl Body<'_> {
             true => quote!(#name.as_ref().map_err(|fault| *fault)?),
             false => quote!(&#name),
         }
+    }
+
+    /// A reference to a value that is stored somewhere already.
+    fn place_of(&mut self, e: ExprId) -> Option<TokenStream> {
+        if is_copy(self.ty(e)) {
+            return None;
+        }
+        Some(match self.kind(e) {
+            Kind::Variable(v) => self.variable_name(*v),
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                match self.ty(e) {
+                    // a local name, see `prelude`
+                    Type::Sequence { .. } => quote!(#field),
+                    ty if ty.element_of_set().is_some() => {
+                        quote!(&rt::ids_of_set(s.#field.as_ref()))
+                    }
+                    _ => quote!(s.#field.as_ref()),
+                }
+            }
+            Kind::Global(id) => {
+                let name = self.context.global_name(*id);
+                match self.context.is_static_global(*id) {
+                    true => quote!(t.#name()?),
+                    false => quote!(s.#name()?),
+                }
+            }
+            Kind::Item(sequence, index)
+                if !self.index_may_fail(*index) && self.ty(*index).is_element() =>
+            {
+                let base = self.reference(*sequence);
+                let place = self.element_index(*index);
+                quote!(&(#base)[#place])
+            }
+            _ => return None,
+        })
     }
 
     /// The value of an expression that has no name.
@@ -48,18 +87,23 @@ impl Body<'_> {
             Kind::Variable(v) => {
                 let name = self.variable_name(*v);
                 match self.ty(e) {
+                    ty if is_copy(ty) => name,
                     ty if ty.element_of_set().is_some() => quote!(rt::Ids::from_slice(#name)),
-                    Type::Set(_) | Type::CellularSet(_) => quote!(#name.clone()),
-                    _ => name,
+                    Type::Sequence { .. } => quote!(#name.to_vec()),
+                    _ => quote!(#name.clone()),
                 }
             }
             Kind::Input(id) => {
                 let field = self.context.input_field(*id);
                 match self.ty(e) {
+                    Type::Element(_) => quote!(s.#field.id()),
                     ty if is_copy(ty) => quote!(s.#field),
                     // a local name, see `prelude`
-                    Type::Sequence { .. } => quote!(#field),
-                    _ => quote!(s.#field.clone()),
+                    Type::Sequence { .. } => quote!(#field.to_vec()),
+                    ty if ty.element_of_set().is_some() => {
+                        quote!(rt::ids_of_set(s.#field.as_ref()))
+                    }
+                    _ => quote!(s.#field.as_ref().clone()),
                 }
             }
             Kind::Global(id) => {
@@ -104,30 +148,8 @@ impl Body<'_> {
                 let a = self.owned(*a);
                 quote!((!#a))
             }
-            Kind::Vector(items) => {
-                let ty = self.context.inner_type(self.ty(e));
-                let items: Vec<_> = items.iter().map(|i| self.owned(*i)).collect();
-                quote!(#ty::new(#(#items),*))
-            }
-            Kind::Component(vector, index) => {
-                let a = self.owned(*vector);
-                match self.kind(*index) {
-                    Kind::Integer(k) => {
-                        let k = Literal::i64_unsuffixed(*k - 1);
-                        quote!(#a[#k])
-                    }
-                    _ => {
-                        let index = self.owned(*index);
-                        let site = self.context.site(e);
-                        quote!(*rt::entry(#a.as_ref(), #index, #site)?)
-                    }
-                }
-            }
+            Kind::Vector(_) | Kind::Component(..) => self.array(e),
             Kind::Item(sequence, index) => self.item(e, *sequence, *index),
-            Kind::Length(a) => {
-                let a = self.reference(*a);
-                quote!(((#a).len() as i64))
-            }
             Kind::Tuple(items) => {
                 let items: Vec<_> = items.iter().map(|i| self.owned(*i)).collect();
                 quote!((#(#items,)*))
@@ -150,19 +172,18 @@ impl Body<'_> {
                 quote!(return ::std::result::Result::Err(#site))
             }
             Kind::Fold { .. } => self.fold(e),
+            Kind::Tabulate { .. } => self.tabulate(e),
+            _ if self.is_array(e) => self.array(e),
             _ => self.set_value(e),
         }
     }
 
-    /// An argument of a call: sets and sequences by reference.
+    /// An argument of a call: what is not copied by reference.
     fn argument(&mut self, e: ExprId) -> TokenStream {
         match self.ty(e) {
             ty if ty.element_of_set().is_some() => self.ids(e),
-            Type::Set(_) | Type::CellularSet(_) => match self.kind(e) {
-                Kind::Variable(v) => self.variable_name(*v),
-                _ => self.reference(e),
-            },
-            _ => self.owned(e),
+            ty if is_copy(ty) => self.owned(e),
+            _ => self.reference(e),
         }
     }
 
@@ -225,12 +246,11 @@ impl Body<'_> {
 
     fn item(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
         let copy = is_copy(self.ty(e));
-        let base = match self.kind(sequence) {
-            Kind::Input(id) => {
-                let field = self.context.input_field(*id);
-                quote!(#field)
+        let base = match self.reference(sequence) {
+            reference if matches!(self.kind(sequence), Kind::Input(_) | Kind::Variable(_)) => {
+                reference
             }
-            _ => self.owned(sequence),
+            reference => quote!((#reference)),
         };
         let found = if self.ty(index).is_element() {
             let may_fail = self.index_may_fail(index);
@@ -245,7 +265,7 @@ impl Body<'_> {
         } else {
             let place = self.owned(index);
             let site = self.context.site(e);
-            quote!(*rt::entry(#base, #place, #site)?)
+            quote!(*rt::entry(&#base[..], #place, #site)?)
         };
         match copy {
             true => found,
@@ -254,26 +274,31 @@ impl Body<'_> {
     }
 
     fn unary(&mut self, e: ExprId, op: Unary, a: ExprId) -> TokenStream {
-        let vector = self.ty(a).fixed_vector().is_some();
+        if !self.ty(a).is_scalar() && !self.ty(a).is_element() {
+            return self.array_unary(e, op, a);
+        }
         let value = self.owned(a);
         match op {
             Unary::Negate => quote!((-#value)),
             Unary::Absolute if *self.ty(e) == Type::INTEGER => quote!((#value).wrapping_abs()),
             Unary::Absolute => quote!((#value).abs()),
             Unary::SquareRoot => quote!((#value).sqrt()),
-            Unary::Norm => quote!((#value).length()),
             Unary::ToReal => quote!((#value as f64)),
             Unary::ToInteger => quote!((#value as i64 + 1)),
-            Unary::Apply(function) if vector => {
-                let applied = elementary(function, quote!(x));
-                let ty = self.context.inner_type(self.ty(e));
-                quote!(#ty::from_array((#value).to_array().map(|x| #applied)))
-            }
             Unary::Apply(function) => elementary(function, quote!((#value))),
+            _ => self.array_unary(e, op, a),
         }
     }
 
     fn binary(&mut self, e: ExprId, op: Binary, a: ExprId, b: ExprId) -> TokenStream {
+        let simple = |ty: &Type| ty.is_scalar() || super::types::is_glam(ty);
+        let same_product = !matches!(
+            op,
+            Binary::Product | Binary::Hadamard | Binary::Frobenius | Binary::Kronecker
+        );
+        if !simple(self.ty(a)) || !simple(self.ty(b)) || !same_product || op > Binary::Max {
+            return self.array_binary(e, op, a, b);
+        }
         let integer = *self.ty(e) == Type::Scalar(Number::Integer);
         let exponent = match self.kind(b) {
             Kind::Real(bits) => Some(f64::from_bits(*bits)),
@@ -301,6 +326,7 @@ impl Body<'_> {
             Binary::Atan2 => quote!((#a).atan2(#b)),
             Binary::Min => quote!((#a).min(#b)),
             Binary::Max => quote!((#a).max(#b)),
+            other => panic!("bug in iheartmesh: no Rust for {other:?}"),
         }
     }
 
@@ -348,7 +374,7 @@ fn real(value: f64) -> TokenStream {
     }
 }
 
-fn elementary(function: Elementary, x: TokenStream) -> TokenStream {
+pub(super) fn elementary(function: Elementary, x: TokenStream) -> TokenStream {
     match function {
         Elementary::Sin => quote!(#x.sin()),
         Elementary::Cos => quote!(#x.cos()),

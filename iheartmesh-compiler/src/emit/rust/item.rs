@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::ir::{Export, ExprId, FunctionId, GlobalId, Input, InputId, Kind};
 use crate::optimize::Plan;
 use crate::span::Span;
-use crate::types::{Atom, Element, Type};
+use crate::types::{Element, Type};
 
 /// All items of a program.
 pub(super) fn items(
@@ -38,10 +38,7 @@ pub(super) fn items(
     let conversions = context.values().map(|(id, input)| {
         let name = names::ident(&names::rust_name(&input.name));
         let field = context.input_field(id);
-        let value = match is_converted(&input.ty) {
-            true => quote!(#name.into()),
-            false => quote!(#name),
-        };
+        let value = held_value(&input.ty, quote!(#name));
         quote!(let #field = #value;)
     });
     let meshes: Vec<_> = context
@@ -90,12 +87,18 @@ pub(super) fn items(
     }
 }
 
-/// Whether an argument is turned into what the struct holds.
+/// An argument as the struct holds it.
+fn held_value(ty: &Type, argument: TokenStream) -> TokenStream {
+    match ty {
+        Type::Function { .. } => quote!(::std::boxed::Box::new(#argument)),
+        ty if is_converted(ty) => quote!(#argument.into()),
+        _ => argument,
+    }
+}
+
+/// Whether an argument is owned or borrowed, as the caller likes.
 pub(super) fn is_converted(ty: &Type) -> bool {
-    matches!(
-        ty,
-        Type::Sequence { .. } | Type::Set(_) | Type::CellularSet(_)
-    )
+    !matches!(ty, Type::Mesh(..) | Type::Function { .. }) && !super::block::is_copy(ty)
 }
 
 /// The local name of a field of values.
@@ -214,7 +217,10 @@ impl Context<'_> {
             .chain(&changing)
             .map(|id| self.compute(*id))
             .collect();
-        let checks = self.values().map(|(id, input)| self.check(id, input));
+        let checks = self
+            .values()
+            .map(|(id, input)| self.check(id, input, false));
+        let (size_names, size_values): (Vec<_>, Vec<_>) = self.size_sources().into_iter().unzip();
         quote! {
             pub struct Topology<'a> {
                 #(pub #mesh_names: &'a #krate::#mesh_types,)*
@@ -224,8 +230,11 @@ impl Context<'_> {
 
             pub struct Plans { #plan_fields }
 
+            pub struct Sizes { #(pub #size_names: i64,)* }
+
             pub struct State<'a> {
                 pub topology: Topology<'a>,
+                pub sizes: Sizes,
                 pub plans: Plans,
                 #(pub #values: #value_types,)*
                 #(#changing_fields)*
@@ -243,10 +252,12 @@ impl Context<'_> {
                         lifetime: ::std::marker::PhantomData,
                     };
                     let t = &topology;
+                    #(let #size_names = #size_values;)*
+                    let sizes = Sizes { #(#size_names,)* };
                     #(#checks)*
                     #plan_statements
                     let plans = Plans { #plan_names };
-                    ::std::result::Result::Ok(Self { topology, plans, #(#values,)* #(#changing_starts)* })
+                    ::std::result::Result::Ok(Self { topology, sizes, plans, #(#values,)* #(#changing_starts)* })
                 }
 
                 #(#changing_methods)*
@@ -266,9 +277,16 @@ impl Context<'_> {
                 let item = self.outer_type(item);
                 quote!(#krate::Values<'a, #item>)
             }
-            Type::Set(_) | Type::CellularSet(_) => {
-                let set = self.outer_type(ty);
-                quote!(#krate::OwnedOrBorrowed<'a, #set>)
+            Type::Function { parameters, result } => {
+                let parameters = parameters.iter().map(|t| self.outer_type(t));
+                let result = self.outer_type(result);
+                quote!(::std::boxed::Box<
+                    dyn ::std::ops::Fn(#(#parameters),*) -> #result + ::std::marker::Send + ::std::marker::Sync + 'a
+                >)
+            }
+            ty if is_converted(ty) => {
+                let value = self.outer_type(ty);
+                quote!(#krate::OwnedOrBorrowed<'a, #value>)
             }
             _ => self.outer_type(ty),
         }
@@ -293,7 +311,9 @@ impl Context<'_> {
         let krate = self.krate;
         match self.program().arena.ty(self.program().global(id).value) {
             // a boundary matrix is only ever given to the host
-            Type::Matrix { .. } => quote!(#krate::sprs::CsMat<f64>),
+            Type::Matrix {
+                spaces: Some(_), ..
+            } => quote!(#krate::sprs::CsMat<f64>),
             ty => self.inner_type(ty),
         }
     }
@@ -340,12 +360,8 @@ impl Context<'_> {
             .iter()
             .map(|p| {
                 let name = variable_ident(self, p.variable);
-                let inner = self.inner_type(&p.ty);
-                match &p.ty {
-                    ty if ty.element_of_set().is_some() => quote!(#name: &[u32]),
-                    ty if Body::is_by_reference(ty) => quote!(#name: &#inner),
-                    _ => quote!(#name: #inner),
-                }
+                let ty = self.argument_type(&p.ty);
+                quote!(#name: #ty)
             })
             .collect();
         match self.staged.functions.get(&id) {
@@ -381,12 +397,13 @@ impl Context<'_> {
         let fields: Vec<_> = used.into_iter().map(|id| self.input_field(id)).collect();
         quote! {
             let t = &s.topology;
+            let sizes = &s.sizes;
             #(let #fields = s.#fields.as_ref();)*
         }
     }
 
     /// Checks an input, which is at hand under its field's name, against the meshes and the inputs before it.
-    pub(super) fn check(&self, id: InputId, input: &Input) -> TokenStream {
+    pub(super) fn check(&self, id: InputId, input: &Input, again: bool) -> TokenStream {
         let field = self.input_field(id);
         let name = &input.name;
         let mut checks = TokenStream::new();
@@ -400,7 +417,7 @@ impl Context<'_> {
             let mesh = &self.program().mesh(element.mesh).name;
             checks.extend(quote!(rt::check_set(#name, #field.as_ref(), #n, #mesh)?;));
         }
-        if let Type::Sequence { length, index, .. } = &input.ty {
+        if let Type::Sequence { index, .. } = &input.ty {
             let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
             let indexed: BTreeSet<Element> = indexed.into_iter().collect();
             let exact = indexed.len() == 1;
@@ -412,21 +429,8 @@ impl Context<'_> {
                     quote!(rt::check_length(#name, #field.as_ref().len(), #n, #exact, #mesh, #kind)?;),
                 );
             }
-            if let Some(Atom::Length(_)) = length.as_atom() {
-                let first = self.values().find(|(other, other_input)| {
-                    *other != id && matches!(&other_input.ty, Type::Sequence { length: l, .. } if l == length)
-                });
-                // each is compared with the first of its letter, and the first with the second
-                if let Some((other, other_input)) = first
-                    && other < id
-                {
-                    let (other, other_name) = (self.input_field(other), &other_input.name);
-                    checks.extend(quote! {
-                        rt::check_same_length(#other_name, #other.as_ref().len(), #name, #field.as_ref().len())?;
-                    });
-                }
-            }
         }
+        checks.extend(self.size_checks(id, input, again));
         checks
     }
 
@@ -445,11 +449,8 @@ impl Context<'_> {
             }
             let ty = self.parameter_type(&input.ty, &quote!('a));
             let field = self.input_field(id);
-            let value = match is_converted(&input.ty) {
-                true => quote!(value.into()),
-                false => quote!(value),
-            };
-            let check = self.check(id, input);
+            let value = held_value(&input.ty, quote!(value));
+            let check = self.check(id, input, true);
             // other inputs are at hand for the check
             let others = self
                 .values()
@@ -467,6 +468,7 @@ impl Context<'_> {
                 {
                     use #krate::__private as rt;
                     let t = &self.state.topology;
+                    let sizes = &self.state.sizes;
                     #(#others)*
                     #check
                 }

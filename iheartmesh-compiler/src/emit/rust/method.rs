@@ -142,15 +142,15 @@ impl Context<'_> {
         let arguments = function.parameters.iter().map(|p| {
             let name = names::ident(&names::rust_name(&p.name));
             match &p.ty {
-                Type::Sequence { .. } => quote!(#name.as_ref()),
-                Type::Set(_) | Type::CellularSet(_) => {
-                    let inner = self.to_inner(quote!(#name.as_ref()), &p.ty);
-                    match p.ty.element_of_set().is_some() {
+                ty if !super::item::is_converted(ty) => self.to_inner(quote!(#name), ty),
+                ty if self.is_same_outside(ty) => quote!(#name.as_ref()),
+                ty => {
+                    let inner = self.to_inner(quote!(#name.as_ref()), ty);
+                    match ty.element_of_set().is_some() {
                         true => quote!(&#inner[..]),
                         false => quote!(&#inner),
                     }
                 }
-                ty => self.to_inner(quote!(#name), ty),
             }
         });
         quote!(#path(#receiver #(, #arguments)*))
@@ -208,7 +208,7 @@ impl Context<'_> {
             let name = names::ident(&names::rust_name(&p.name));
             match &p.ty {
                 Type::Element(_) | Type::Scalar(_) => quote!(&#name),
-                Type::Vector { .. } => quote!(&rt::Shown(&#name)),
+                ty if ty.fixed_vector().is_some() => quote!(&rt::Shown(&#name)),
                 _ => quote!(&"…"),
             }
         });
@@ -247,9 +247,17 @@ impl Context<'_> {
             .iter()
             .map(|p| {
                 let name = names::ident(&names::rust_name(&p.name));
-                (name, self.parameter_type(&p.ty, &quote!('_)))
+                (name, self.parameter_type(&p.ty, &quote!('b)))
             })
             .unzip();
+        let lifetime = match function
+            .parameters
+            .iter()
+            .any(|p| super::item::is_converted(&p.ty))
+        {
+            true => quote!(<'b>),
+            false => TokenStream::new(),
+        };
         let body = self.fallible_body(id, false);
         let (doc, try_doc) = (
             docs::function(self, function, false, false),
@@ -263,7 +271,7 @@ impl Context<'_> {
             #doc
             #[inline]
             #[track_caller]
-            pub fn #method(&self #(, #parameters: #arguments)*) -> #outer {
+            pub fn #method #lifetime(&self #(, #parameters: #arguments)*) -> #outer {
                 match self.#fallible(#(#parameters),*) {
                     ::std::result::Result::Ok(value) => value,
                     ::std::result::Result::Err(error) => #krate::__private::fail(error),
@@ -271,7 +279,7 @@ impl Context<'_> {
             }
             #try_doc
             #[inline]
-            pub fn #fallible(&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
+            pub fn #fallible #lifetime(&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
                 use #krate::__private as rt;
                 let s = &self.state;
                 let t = &s.topology;
@@ -379,7 +387,7 @@ impl Context<'_> {
     }
 
     fn is_same(&self, ty: &Type) -> bool {
-        matches!(ty, Type::Scalar(_)) || ty.fixed_vector().is_some()
+        self.is_same_outside(ty)
     }
 
     /// The trait that dispatches overloads by the types of their arguments.

@@ -4,6 +4,7 @@
 //! `Plans` what is computed once per mesh, and `State` both with the values; every function of the program is
 //! one small Rust function over them. Only paths under the crate's own path are named.
 
+mod array;
 mod block;
 mod docs;
 mod expr;
@@ -14,6 +15,7 @@ mod orbit;
 pub mod place;
 mod plan;
 mod set;
+mod size;
 mod types;
 
 use proc_macro2::{Ident, TokenStream};
@@ -150,6 +152,23 @@ impl Context<'_> {
             Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set".to_owned(),
             Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set".to_owned(),
             Kind::Fail => "no case applies".to_owned(),
+            Kind::At(..) => "the matrix has no such entry".to_owned(),
+            Kind::RowOf(..) => "the matrix has no such row".to_owned(),
+            Kind::ColumnOf(..) => "the matrix has no such column".to_owned(),
+            Kind::Agree(..) => "two sizes differ that one index runs over,".to_owned(),
+            Kind::Unary(crate::ir::Unary::Inverse, _) => {
+                "a singular matrix has no inverse:".to_owned()
+            }
+            Kind::Binary(crate::ir::Binary::Solve, ..) => {
+                "the matrix of the system is singular".to_owned()
+            }
+            Kind::Binary(crate::ir::Binary::MatrixPower, ..) => {
+                "this power of the matrix does not exist".to_owned()
+            }
+            Kind::Binary(crate::ir::Binary::Unstack, ..) => "the sizes do not fit".to_owned(),
+            Kind::Unary(crate::ir::Unary::Least | crate::ir::Unary::Greatest, _) => {
+                "the extremum of nothing".to_owned()
+            }
             Kind::Call(id, _) => format!("`{}` has no value", self.program().function(*id).name),
             _ => "there is no such element".to_owned(),
         }

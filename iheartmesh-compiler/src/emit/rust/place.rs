@@ -175,6 +175,22 @@ impl Placement {
                 }
                 self.use_in(pending, *body, inside);
             }
+            Kind::Tabulate {
+                variables,
+                sizes,
+                body,
+                ..
+            } => {
+                for size in sizes {
+                    self.use_in(pending, *size, region);
+                }
+                let mut inside = region;
+                for (variable, part) in variables.iter().zip([Part::Loop, Part::Taken]) {
+                    inside = self.add_region(Some(inside), Some(*variable));
+                    self.parts.insert((e, part), inside);
+                }
+                self.use_in(pending, *body, inside);
+            }
             kind => kind.operands(|operand| self.use_in(pending, operand, region)),
         }
     }
@@ -240,6 +256,7 @@ impl Placement {
                         crate::ir::Range::Rows => false,
                     }
                 }
+                Kind::Tabulate { sizes, .. } => found = sizes.contains(&e),
                 kind => kind.operands(|operand| found |= operand == e),
             }
             found
@@ -257,7 +274,10 @@ impl Placement {
                     (Kind::If(_, _, b), Part::Else) => *b == e,
                     (Kind::And(_, b) | Kind::Or(_, b), Part::Right) => *b == e,
                     (Kind::Fold { condition, .. }, Part::Loop) if *condition == Some(e) => true,
-                    (Kind::Fold { body, .. }, Part::Loop | Part::Taken) => *body == e,
+                    (
+                        Kind::Fold { body, .. } | Kind::Tabulate { body, .. },
+                        Part::Loop | Part::Taken,
+                    ) => *body == e,
                     _ => false,
                 }
         })

@@ -5,7 +5,6 @@ use quote::quote;
 
 use super::block::Body;
 use crate::ir::{Boundary, ExprId, Kind, SetOp};
-use crate::types::Type;
 
 impl Body<'_> {
     /// A set of elements as a sorted slice of `u32`.
@@ -19,7 +18,7 @@ impl Body<'_> {
             Kind::Variable(v) => self.variable_name(*v),
             Kind::Input(id) => {
                 let field = self.context.input_field(*id);
-                quote!(&s.#field[..])
+                quote!(&rt::ids_of_set(s.#field.as_ref())[..])
             }
             Kind::Global(id) => {
                 let name = self.context.global_name(*id);
@@ -202,10 +201,5 @@ impl Body<'_> {
                 quote!(rt::coboundary_of(#mesh, #k, #set))
             }
         }
-    }
-
-    /// Whether a value is handed to functions by reference.
-    pub(super) fn is_by_reference(ty: &Type) -> bool {
-        matches!(ty, Type::Set(_) | Type::CellularSet(_))
     }
 }

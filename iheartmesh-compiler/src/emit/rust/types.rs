@@ -30,7 +30,10 @@ impl Context<'_> {
             Type::Boolean => quote!(bool),
             Type::Element(_) => quote!(u32),
             Type::Vector { space: Some(_), .. } => quote!(rt::Chain),
-            Type::Vector { .. } => self.vector_type(ty),
+            Type::Matrix {
+                spaces: Some(_), ..
+            } => quote!(#krate::sprs::CsMat<f64>),
+            Type::Vector { .. } | Type::Matrix { .. } => self.array_type(ty),
             Type::Set(item) => match **item {
                 Type::Element(_) => quote!(rt::Ids),
                 ref item => {
@@ -45,21 +48,49 @@ impl Context<'_> {
             Type::CellularSet(_) => quote!((rt::Ids, rt::Ids, rt::Ids, rt::Ids)),
             Type::Sequence { item, .. } => {
                 let item = self.inner_type(item);
-                quote!(&[#item])
+                quote!(::std::vec::Vec<#item>)
             }
-            Type::Matrix { .. } | Type::Function { .. } | Type::Mesh(..) | Type::Error => {
+            Type::Function { .. } | Type::Mesh(..) | Type::Error => {
                 panic!("bug in iheartmesh: no value of type {ty}")
             }
         }
     }
 
-    fn vector_type(&self, ty: &Type) -> TokenStream {
+    /// The Rust type of a vector or matrix: glam up to 4, nalgebra of a fixed size, nalgebra's dynamic ones, sprs.
+    fn array_type(&self, ty: &Type) -> TokenStream {
         let krate = self.krate;
-        match ty.fixed_vector() {
-            Some(2) => quote!(#krate::glam::DVec2),
-            Some(3) => quote!(#krate::glam::DVec3),
-            Some(4) => quote!(#krate::glam::DVec4),
-            _ => panic!("bug in iheartmesh: no vector of type {ty}"),
+        let item = match ty.is_integer() {
+            true => quote!(i64),
+            false => quote!(f64),
+        };
+        let fixed = |n: i64| proc_macro2::Literal::i64_unsuffixed(n);
+        match ty {
+            Type::Matrix { sparse: true, .. } | Type::Vector { sparse: true, .. } => {
+                quote!(#krate::sprs::CsMat<f64>)
+            }
+            Type::Vector { length, .. } => match (length.value(), ty.is_integer()) {
+                (Some(2), false) => quote!(#krate::glam::DVec2),
+                (Some(3), false) => quote!(#krate::glam::DVec3),
+                (Some(4), false) => quote!(#krate::glam::DVec4),
+                (Some(n), _) => {
+                    let n = fixed(n);
+                    quote!(#krate::nalgebra::SVector<#item, #n>)
+                }
+                (None, _) => quote!(#krate::nalgebra::DVector<#item>),
+            },
+            Type::Matrix { rows, columns, .. } => {
+                match (rows.value(), columns.value(), ty.is_integer()) {
+                    (Some(2), Some(2), false) => quote!(#krate::glam::DMat2),
+                    (Some(3), Some(3), false) => quote!(#krate::glam::DMat3),
+                    (Some(4), Some(4), false) => quote!(#krate::glam::DMat4),
+                    (Some(n), Some(m), _) => {
+                        let (n, m) = (fixed(n), fixed(m));
+                        quote!(#krate::nalgebra::SMatrix<#item, #n, #m>)
+                    }
+                    _ => quote!(#krate::nalgebra::DMatrix<#item>),
+                }
+            }
+            _ => panic!("bug in iheartmesh: no array of type {ty}"),
         }
     }
 
@@ -77,9 +108,7 @@ impl Context<'_> {
                 quote!((#(#items,)*))
             }
             Type::CellularSet(_) => quote!(#krate::CellularSet),
-            Type::Vector { space: Some(_), .. } | Type::Matrix { .. } => {
-                quote!(#krate::sprs::CsMat<f64>)
-            }
+            Type::Vector { space: Some(_), .. } => quote!(#krate::sprs::CsMat<f64>),
             Type::Sequence { item, .. } => {
                 let item = self.outer_type(item);
                 quote!(::std::vec::Vec<#item>)
@@ -100,11 +129,32 @@ impl Context<'_> {
                 let item = self.outer_type(item);
                 quote!(impl ::std::convert::Into<#krate::Values<#lifetime, #item>>)
             }
-            Type::Set(_) | Type::CellularSet(_) => {
-                let set = self.outer_type(ty);
-                quote!(impl ::std::convert::Into<#krate::OwnedOrBorrowed<#lifetime, #set>>)
+            Type::Function { parameters, result } => {
+                let parameters = parameters.iter().map(|t| self.outer_type(t));
+                let result = self.outer_type(result);
+                quote!(impl ::std::ops::Fn(#(#parameters),*) -> #result + ::std::marker::Send + ::std::marker::Sync + #lifetime)
+            }
+            ty if super::item::is_converted(ty) => {
+                let value = self.outer_type(ty);
+                quote!(impl ::std::convert::Into<#krate::OwnedOrBorrowed<#lifetime, #value>>)
             }
             _ => self.outer_type(ty),
+        }
+    }
+
+    /// The type in which a function takes a value: what is not copied goes by reference.
+    pub(super) fn argument_type(&self, ty: &Type) -> TokenStream {
+        match ty {
+            _ if super::block::is_copy(ty) => self.inner_type(ty),
+            ty if ty.element_of_set().is_some() => quote!(&[u32]),
+            Type::Sequence { item, .. } => {
+                let item = self.inner_type(item);
+                quote!(&[#item])
+            }
+            _ => {
+                let inner = self.inner_type(ty);
+                quote!(&#inner)
+            }
         }
     }
 
@@ -136,6 +186,10 @@ impl Context<'_> {
                 quote!({ let (#(#names,)*) = #value; (#(#converted,)*) })
             }
             Type::CellularSet(_) => quote!(rt::cellular_set(#value)),
+            Type::Sequence { item, .. } if !self.is_same_outside(item) => {
+                let converted = self.to_outer(quote!(item), item);
+                quote!(#value.into_iter().map(|item| #converted).collect())
+            }
             Type::Vector {
                 space: Some(element),
                 ..
@@ -147,12 +201,26 @@ impl Context<'_> {
         }
     }
 
-    fn is_same_outside(&self, ty: &Type) -> bool {
+    pub(super) fn is_same_outside(&self, ty: &Type) -> bool {
         match ty {
             Type::Element(_) | Type::CellularSet(_) => false,
             Type::Tuple(items) => items.iter().all(|t| self.is_same_outside(t)),
-            Type::Set(item) => self.is_same_outside(item),
+            Type::Set(item) | Type::Sequence { item, .. } => self.is_same_outside(item),
             _ => true,
+        }
+    }
+
+    /// A value that a function of the host gave.
+    pub(super) fn from_host(&self, call: TokenStream, ty: &Type) -> TokenStream {
+        match self.is_same_outside(ty) {
+            true => call,
+            false => {
+                let inner = self.to_inner(quote!(value), ty);
+                match ty {
+                    Type::Element(_) | Type::Tuple(_) => quote!({ let value = #call; #inner }),
+                    _ => quote!({ let value = &#call; #inner }),
+                }
+            }
         }
     }
 
@@ -176,6 +244,10 @@ impl Context<'_> {
                 quote!((#(#converted,)*))
             }
             Type::CellularSet(_) => quote!(rt::ids_of_cellular_set(#value)),
+            Type::Sequence { item, .. } if !self.is_same_outside(item) => {
+                let converted = self.to_inner(quote!(item), item);
+                quote!(#value.iter().map(|item| #converted).collect::<::std::vec::Vec<_>>())
+            }
             _ => value,
         }
     }
@@ -193,9 +265,75 @@ impl Context<'_> {
             Type::Scalar(Number::Real) => quote!(0.0f64),
             Type::Scalar(Number::Integer) => quote!(0i64),
             _ => {
-                let ty = self.inner_type(ty);
-                quote!(#ty::ZERO)
+                let inner = self.inner_type(ty);
+                match ty.shape() {
+                    Some(shape) if !is_glam(ty) => {
+                        let (rows, columns) = self.shape_sizes(shape);
+                        quote!(<#inner as rt::Build>::zeros(#rows, #columns))
+                    }
+                    _ => quote!(#inner::ZERO),
+                }
             }
         }
+    }
+
+    /// Rows and columns of a shape as `usize`.
+    pub(super) fn shape_sizes(&self, shape: crate::types::Shape) -> (TokenStream, TokenStream) {
+        let one = quote!(1usize);
+        match shape {
+            crate::types::Shape::Scalar => (one.clone(), one),
+            crate::types::Shape::Vector(n) => (self.size_of(&n), one),
+            crate::types::Shape::Matrix(n, m) => (self.size_of(&n), self.size_of(&m)),
+        }
+    }
+
+    fn size_of(&self, dimension: &crate::types::Dimension) -> TokenStream {
+        let size = self.size(dimension);
+        quote!(rt::size(#size))
+    }
+
+    /// A size as `i64`; needs `s` for symbols and `t` for numbers of elements.
+    pub(super) fn size(&self, dimension: &crate::types::Dimension) -> TokenStream {
+        use crate::types::Atom;
+        if let Some(n) = dimension.value() {
+            let n = proc_macro2::Literal::i64_suffixed(n);
+            return quote!(#n);
+        }
+        let terms = dimension.terms().map(|(k, atoms)| {
+            let k = proc_macro2::Literal::i64_suffixed(k);
+            let factors = atoms.iter().map(|atom| match atom {
+                Atom::Count(element) => {
+                    let n = self.count(*element);
+                    quote!((#n as i64))
+                }
+                Atom::Symbol(name) | Atom::Length(name) => {
+                    let field = self.size_field(atom, name);
+                    quote!(sizes.#field)
+                }
+                Atom::Dynamic(_) => quote!(0i64),
+            });
+            quote!(#k #(* #factors)*)
+        });
+        quote!((0i64 #(+ #terms)*))
+    }
+
+    /// The field that holds a size.
+    pub(super) fn size_field(&self, atom: &crate::types::Atom, name: &str) -> proc_macro2::Ident {
+        let name = super::names::rust_name(name);
+        match atom {
+            crate::types::Atom::Length(_) => quote::format_ident!("length_{}", name),
+            _ => quote::format_ident!("size_{}", name),
+        }
+    }
+}
+
+/// Whether a type is one of glam's.
+pub(super) fn is_glam(ty: &Type) -> bool {
+    let small = |n: i64| (2..=4).contains(&n);
+    match ty {
+        _ if ty.is_integer() || ty.is_sparse() => false,
+        Type::Vector { length, .. } => length.value().is_some_and(small),
+        Type::Matrix { rows, columns, .. } => rows.value().is_some_and(small) && rows == columns,
+        _ => false,
     }
 }

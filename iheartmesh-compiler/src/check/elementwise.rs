@@ -1,0 +1,228 @@
+//! Indices whose range follows from where they stand, and definitions entry by entry.
+
+use super::scope::{Binding, Scope};
+use super::{Checker, IndexUse};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Kind, Layout, VariableId};
+use crate::span::Span;
+use crate::syntax::ast::{self, Expr, ExprKind, Name, Subscript};
+use crate::types::{Dimension, Shape, Type};
+
+impl<'a> Checker<'a> {
+    /// Binds an index whose range is not yet known.
+    pub(super) fn bind_index(&mut self, scope: &mut Scope<'a>, name: &Name) -> VariableId {
+        let variable = self.bind(scope, name, Type::INTEGER);
+        self.index_uses.insert(variable, Vec::new());
+        variable
+    }
+
+    /// Notes that an index stands alone as a subscript.
+    pub(super) fn note_index_use(&mut self, index: (&'a Expr, ExprId), base: ExprId, axis: u8) {
+        let Kind::Variable(variable) = *self.program.arena.kind(index.1) else {
+            return;
+        };
+        if !self.index_uses.contains_key(&variable) {
+            return;
+        }
+        let (dimension, of_sequence) = match (self.ty(base), axis) {
+            (Type::Sequence { length, .. }, _) => (length.clone(), true),
+            (Type::Vector { length, .. }, _) => (length.clone(), false),
+            (Type::Matrix { rows, .. }, 0) => (rows.clone(), false),
+            (Type::Matrix { columns, .. }, _) => (columns.clone(), false),
+            _ => return,
+        };
+        let size = self.extent(base, axis);
+        let shown = self.ty(base).to_string();
+        if let Some(uses) = self.index_uses.get_mut(&variable) {
+            uses.push(IndexUse {
+                size,
+                dimension,
+                of_sequence,
+                span: index.0.span,
+                shown,
+            });
+        }
+    }
+
+    /// How far an index runs: the size of what it indexes. All of them must agree; the length of a sequence may do so at
+    /// run time.
+    pub(super) fn index_range(
+        &mut self,
+        variable: VariableId,
+        name: &Name,
+    ) -> Option<(Dimension, ExprId)> {
+        let uses = self.index_uses.remove(&variable).unwrap_or_default();
+        // a size that depends on an index inside of this one is not known outside
+        let known = |checker: &Self, u: &IndexUse| {
+            let free = &checker.program.arena.node(u.size).free;
+            free.iter().all(|v| checker.is_visible(*v))
+        };
+        let uses: Vec<IndexUse> = uses.into_iter().filter(|u| known(self, u)).collect();
+        let Some(first) = uses
+            .iter()
+            .find(|u| !u.of_sequence)
+            .or(uses.first())
+            .cloned()
+        else {
+            self.report(
+                Diagnostic::error(name.span, format!("index `{}` is not used as a subscript", name.text))
+                    .help("its range follows from what it indexes; otherwise write `∑_(i ∈ S)` or `∑_(i = 1)^n`"),
+            );
+            return None;
+        };
+        let mut size = first.size;
+        for other in &uses {
+            if other.dimension == first.dimension || other.size == first.size {
+                continue;
+            }
+            if other.of_sequence || first.of_sequence || !other.dimension.differs(&first.dimension)
+            {
+                size = self.add_at(
+                    other.span,
+                    Kind::Agree(other.size, first.size, size),
+                    Type::INTEGER,
+                );
+                continue;
+            }
+            let message = format!(
+                "index `{}` runs to {} and to {}",
+                name.text, first.dimension, other.dimension
+            );
+            self.report(
+                Diagnostic::error(other.span, message)
+                    .here(format!("here it indexes {}", other.shown))
+                    .label(first.span, format!("here it indexes {}", first.shown))
+                    .help("what one index stands at must have one size"),
+            );
+            return None;
+        }
+        Some((first.dimension, size))
+    }
+
+    /// Whether a variable is bound in an enclosing scope.
+    fn is_visible(&self, variable: VariableId) -> bool {
+        self.scopes
+            .iter()
+            .flat_map(|s| s.names.values())
+            .any(|binding| match binding {
+                Binding::Value(value) => self.program.arena.depends_on(*value, variable),
+                _ => false,
+            })
+    }
+
+    /// `y_i = …`, `A_ij = …`, `A_i,* = …`, `D_ii = …`.
+    pub(super) fn elementwise(&mut self, definition: &'a ast::Definition) -> ExprId {
+        let left = &definition.targets[0];
+        let mut names: Vec<&'a Name> = Vec::new();
+        let mut slice = None;
+        for (position, subscript) in left.subscripts.iter().enumerate() {
+            match subscript {
+                Subscript::Expr(Expr {
+                    kind: ExprKind::Name(name),
+                    ..
+                }) => names.push(name),
+                Subscript::All(_) => slice = Some(position),
+                Subscript::Expr(other) => {
+                    return self.unsupported(other.span, "definitions of single entries are");
+                }
+            }
+        }
+        let diagonal = names.len() == 2 && names[0].text == names[1].text;
+        if diagonal {
+            names.pop();
+        }
+        if names.is_empty() || names.len() > 2 || (slice.is_some() && names.len() != 1) {
+            return self.unsupported(definition.span, "this element-wise definition is");
+        }
+        let mut scope = Scope::default();
+        let variables: Vec<VariableId> = names
+            .iter()
+            .map(|name| self.bind_index(&mut scope, name))
+            .collect();
+        let body = self.with_scope(scope, |checker| checker.expr(&definition.value));
+        let mut ranges = Vec::new();
+        let mut failed = self.is_error(body);
+        for (variable, name) in variables.iter().zip(&names) {
+            if failed {
+                self.index_uses.remove(variable);
+                continue;
+            }
+            match self.index_range(*variable, name) {
+                Some(range) => ranges.push(range),
+                None => failed = true,
+            }
+        }
+        if failed {
+            return self.error();
+        }
+        self.tabulate(definition.span, variables, ranges, body, slice, diagonal)
+    }
+
+    fn tabulate(
+        &mut self,
+        span: Span,
+        variables: Vec<VariableId>,
+        ranges: Vec<(Dimension, ExprId)>,
+        body: ExprId,
+        slice: Option<usize>,
+        diagonal: bool,
+    ) -> ExprId {
+        let ty = self.ty(body).clone();
+        let (dimensions, sizes): (Vec<Dimension>, Vec<ExprId>) = ranges.into_iter().unzip();
+        let first = dimensions[0].clone();
+        let (layout, result, body) = match (ty.shape(), variables.len(), slice) {
+            (Some(Shape::Scalar), 1, None) if diagonal => (
+                Layout::Diagonal,
+                Type::Matrix {
+                    number: crate::types::Number::Real,
+                    rows: first.clone(),
+                    columns: first,
+                    sparse: true,
+                    spaces: None,
+                },
+                self.real(body),
+            ),
+            (Some(Shape::Scalar), 1, None) => {
+                (Layout::Vector, Type::real_vector(first), self.real(body))
+            }
+            (Some(Shape::Scalar), 2, None) => (
+                Layout::Matrix,
+                Type::real_matrix(first, dimensions[1].clone()),
+                self.real(body),
+            ),
+            (Some(Shape::Vector(n)), 1, Some(1)) => {
+                (Layout::Rows, Type::real_matrix(first, n), self.real(body))
+            }
+            (Some(Shape::Vector(n)), 1, Some(0)) => (
+                Layout::Columns,
+                Type::real_matrix(n, first),
+                self.real(body),
+            ),
+            (_, 1, None) if !diagonal && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (
+                Layout::Sequence,
+                Type::Sequence {
+                    item: Box::new(ty),
+                    length: first,
+                    index: None,
+                },
+                body,
+            ),
+            _ => {
+                return self.report(
+                    Diagnostic::error(span, format!("the entries of this definition are of type {ty}"))
+                        .help("`A_ij` is a number, `A_i,*` and `A_*,j` are vectors, `x_i` may be anything"),
+                );
+            }
+        };
+        self.add_at(
+            span,
+            Kind::Tabulate {
+                layout,
+                variables,
+                sizes,
+                body,
+            },
+            result,
+        )
+    }
+}

@@ -1,0 +1,196 @@
+//! Sizes: where the symbols of a size get their values, and the checks that all inputs agree on them.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::Context;
+use crate::ir::{Input, InputId};
+use crate::types::{Atom, Dimension, Type};
+
+/// One direction of an input.
+struct Axis {
+    /// What it is called in messages.
+    what: &'static str,
+    dimension: Dimension,
+    /// Its size, as `i64`, of the field at hand.
+    found: TokenStream,
+    /// Whether it is of every item of a sequence.
+    of_items: bool,
+}
+
+impl Context<'_> {
+    /// Every symbol of a size with the expression of its value: that of the first input that has it.
+    pub(super) fn size_sources(&self) -> Vec<(Ident, TokenStream)> {
+        let mut seen = BTreeSet::new();
+        let mut sources = Vec::new();
+        // a parameter that is the size itself comes first
+        for (id, input) in self.values() {
+            if matches!(input.ty, Type::Scalar(crate::types::Number::Integer))
+                && self.is_size(&input.name)
+            {
+                let atom = Atom::Symbol(input.name.clone());
+                let field = self.input_field(id);
+                seen.insert(atom.clone());
+                sources.push((self.size_field(&atom, &input.name), quote!(#field)));
+            }
+        }
+        for (id, input) in self.values() {
+            for axis in self.axes(id, input) {
+                if let Some(atom @ (Atom::Symbol(name) | Atom::Length(name))) =
+                    axis.dimension.as_atom()
+                    && seen.insert(atom.clone())
+                {
+                    sources.push((self.size_field(atom, name), axis.found));
+                }
+            }
+        }
+        // a symbol that no input gives a value is reported before code is made
+        sources
+    }
+
+    fn is_size(&self, name: &str) -> bool {
+        self.values().any(|(id, input)| {
+            self.axes(id, input).iter().any(|axis| {
+                axis.dimension
+                    .terms()
+                    .any(|(_, atoms)| atoms.contains(&Atom::Symbol(name.to_owned())))
+            })
+        })
+    }
+
+    /// The input that gives a symbol its value.
+    fn size_source(&self, atom: &Atom) -> Option<InputId> {
+        if let Atom::Symbol(name) = atom
+            && let Some((id, _)) = self.values().find(|(_, i)| {
+                i.name == *name && matches!(i.ty, Type::Scalar(crate::types::Number::Integer))
+            })
+        {
+            return Some(id);
+        }
+        self.values()
+            .find(|(id, input)| {
+                self.axes(*id, input)
+                    .iter()
+                    .any(|axis| axis.dimension.as_atom() == Some(atom))
+            })
+            .map(|(id, _)| id)
+    }
+
+    /// The directions of an input, for its field at hand.
+    fn axes(&self, id: InputId, input: &Input) -> Vec<Axis> {
+        let field = self.input_field(id);
+        let axis = |what, dimension: &Dimension, found, of_items| Axis {
+            what,
+            dimension: dimension.clone(),
+            found,
+            of_items,
+        };
+        let of = |value: TokenStream, ty: &Type, of_items: bool| match ty {
+            Type::Vector {
+                length,
+                space: None,
+                ..
+            } => {
+                vec![axis(
+                    "length",
+                    length,
+                    quote!((rt::Array::rows(#value) as i64)),
+                    of_items,
+                )]
+            }
+            Type::Matrix {
+                rows,
+                columns,
+                spaces: None,
+                ..
+            } => vec![
+                axis(
+                    "number of rows",
+                    rows,
+                    quote!((rt::Array::rows(#value) as i64)),
+                    of_items,
+                ),
+                axis(
+                    "number of columns",
+                    columns,
+                    quote!((rt::Array::columns(#value) as i64)),
+                    of_items,
+                ),
+            ],
+            _ => Vec::new(),
+        };
+        match &input.ty {
+            Type::Sequence { item, length, .. } => {
+                let mut axes = vec![axis(
+                    "length",
+                    length,
+                    quote!((#field.as_ref().len() as i64)),
+                    false,
+                )];
+                let first = of(quote!(item), item, true);
+                axes.extend(first.into_iter().map(|a| Axis {
+                    found: {
+                        let found = &a.found;
+                        quote!(#field.as_ref().first().map_or(0, |item| #found))
+                    },
+                    ..a
+                }));
+                axes
+            }
+            ty => {
+                let value = match super::block::is_copy(ty) {
+                    true => quote!(&#field),
+                    false => quote!(#field.as_ref()),
+                };
+                of(value, ty, false)
+            }
+        }
+    }
+
+    /// Checks that an input has the sizes that it is declared with. `again` after construction, when sizes are fixed.
+    pub(super) fn size_checks(&self, id: InputId, input: &Input, again: bool) -> TokenStream {
+        let name = &input.name;
+        let field = self.input_field(id);
+        let mut checks = TokenStream::new();
+        for axis in self.axes(id, input) {
+            if matches!(axis.dimension.as_atom(), Some(Atom::Count(_)))
+                || axis.dimension.value().is_some() && !axis.of_items
+            {
+                // the one is compared with the mesh, the other is in the type
+                continue;
+            }
+            if axis.dimension.value().is_some() {
+                continue;
+            }
+            let source = axis
+                .dimension
+                .terms()
+                .flat_map(|(_, atoms)| atoms)
+                .filter_map(|atom| self.size_source(atom))
+                .next();
+            let is_source = source == Some(id) && axis.dimension.as_atom().is_some();
+            let expected = self.size(&axis.dimension);
+            let (what, written) = (axis.what, axis.dimension.to_string());
+            let source_name =
+                source.map_or(String::new(), |s| self.program().input(s).name.clone());
+            if !is_source || again {
+                let found = &axis.found;
+                checks.extend(quote!(rt::check_size(#name, #what, #found, #expected, #written, #source_name)?;));
+            }
+            if axis.of_items {
+                let found = match axis.what {
+                    "number of columns" => quote!(rt::Array::columns(item)),
+                    _ => quote!(rt::Array::rows(item)),
+                };
+                checks.extend(quote! {
+                    for item in #field.as_ref() {
+                        rt::check_size(#name, #what, #found as i64, #expected, #written, #source_name)?;
+                    }
+                });
+            }
+        }
+        checks
+    }
+}

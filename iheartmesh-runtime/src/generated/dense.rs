@@ -1,0 +1,527 @@
+//! Numbers, vectors and matrices of any size through one interface, so that generated code is the same for all of them.
+//!
+//! Sizes that are known when the program is compiled are types without allocation (glam up to 4, then nalgebra);
+//! others are nalgebra's dynamic vectors and matrices.
+
+use std::ops::{Add, AddAssign, Mul};
+
+use glam::{DMat2, DMat3, DMat4, DVec2, DVec3, DVec4};
+use nalgebra::{DMatrix, DVector, SMatrix, Scalar};
+
+use super::{Fallible, Fault};
+
+/// ℝ or ℤ as entries.
+pub trait Number:
+    Scalar + Copy + Default + PartialOrd + Add<Output = Self> + Mul<Output = Self> + AddAssign
+{
+    /// As a real number.
+    fn real(self) -> f64;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn real(self) -> f64 {
+        self
+    }
+}
+
+impl Number for i64 {
+    #[inline(always)]
+    fn real(self) -> f64 {
+        self as f64
+    }
+}
+
+/// Rows and columns of numbers: a number is 1×1, a vector has one column.
+pub trait Array {
+    /// What the entries are.
+    type Item: Number;
+    /// Number of rows.
+    fn rows(&self) -> usize;
+    /// Number of columns.
+    fn columns(&self) -> usize;
+    /// An entry, from 0. Must be in range.
+    fn entry(&self, row: usize, column: usize) -> Self::Item;
+}
+
+/// What can be made entry by entry.
+pub trait Build: Array + Sized {
+    /// All entries 0. Sizes that the type fixes are not looked at.
+    fn zeros(rows: usize, columns: usize) -> Self;
+    /// Sets an entry, from 0. Must be in range.
+    fn set(&mut self, row: usize, column: usize, value: Self::Item);
+
+    /// By its entries.
+    #[inline(always)]
+    fn build(rows: usize, columns: usize, f: impl Fn(usize, usize) -> Self::Item) -> Self {
+        let mut all = Self::zeros(rows, columns);
+        for column in 0..all.columns() {
+            for row in 0..all.rows() {
+                all.set(row, column, f(row, column));
+            }
+        }
+        all
+    }
+}
+
+macro_rules! number {
+    ($type:ty) => {
+        impl Array for $type {
+            type Item = $type;
+            #[inline(always)]
+            fn rows(&self) -> usize {
+                1
+            }
+            #[inline(always)]
+            fn columns(&self) -> usize {
+                1
+            }
+            #[inline(always)]
+            fn entry(&self, _: usize, _: usize) -> $type {
+                *self
+            }
+        }
+
+        impl Build for $type {
+            #[inline(always)]
+            fn zeros(_: usize, _: usize) -> Self {
+                <$type>::default()
+            }
+            #[inline(always)]
+            fn set(&mut self, _: usize, _: usize, value: $type) {
+                *self = value;
+            }
+        }
+    };
+}
+
+number!(f64);
+number!(i64);
+
+macro_rules! small {
+    ($vector:ty, $matrix:ty, $n:literal) => {
+        impl Array for $vector {
+            type Item = f64;
+            #[inline(always)]
+            fn rows(&self) -> usize {
+                $n
+            }
+            #[inline(always)]
+            fn columns(&self) -> usize {
+                1
+            }
+            #[inline(always)]
+            fn entry(&self, row: usize, _: usize) -> f64 {
+                self[row]
+            }
+        }
+
+        impl Build for $vector {
+            #[inline(always)]
+            fn zeros(_: usize, _: usize) -> Self {
+                Self::ZERO
+            }
+            #[inline(always)]
+            fn set(&mut self, row: usize, _: usize, value: f64) {
+                self[row] = value;
+            }
+        }
+
+        impl Array for $matrix {
+            type Item = f64;
+            #[inline(always)]
+            fn rows(&self) -> usize {
+                $n
+            }
+            #[inline(always)]
+            fn columns(&self) -> usize {
+                $n
+            }
+            #[inline(always)]
+            fn entry(&self, row: usize, column: usize) -> f64 {
+                self.col(column)[row]
+            }
+        }
+
+        impl Build for $matrix {
+            #[inline(always)]
+            fn zeros(_: usize, _: usize) -> Self {
+                Self::ZERO
+            }
+            #[inline(always)]
+            fn set(&mut self, row: usize, column: usize, value: f64) {
+                self.col_mut(column)[row] = value;
+            }
+        }
+    };
+}
+
+small!(DVec2, DMat2, 2);
+small!(DVec3, DMat3, 3);
+small!(DVec4, DMat4, 4);
+
+impl<T: Number, const R: usize, const C: usize> Array for SMatrix<T, R, C> {
+    type Item = T;
+    #[inline(always)]
+    fn rows(&self) -> usize {
+        R
+    }
+    #[inline(always)]
+    fn columns(&self) -> usize {
+        C
+    }
+    #[inline(always)]
+    fn entry(&self, row: usize, column: usize) -> T {
+        self[(row, column)]
+    }
+}
+
+impl<T: Number, const R: usize, const C: usize> Build for SMatrix<T, R, C> {
+    #[inline(always)]
+    fn zeros(_: usize, _: usize) -> Self {
+        Self::from_element(T::default())
+    }
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: T) {
+        self[(row, column)] = value;
+    }
+}
+
+impl<T: Number> Array for DVector<T> {
+    type Item = T;
+    #[inline(always)]
+    fn rows(&self) -> usize {
+        self.len()
+    }
+    #[inline(always)]
+    fn columns(&self) -> usize {
+        1
+    }
+    #[inline(always)]
+    fn entry(&self, row: usize, _: usize) -> T {
+        self[row]
+    }
+}
+
+impl<T: Number> Build for DVector<T> {
+    fn zeros(rows: usize, _: usize) -> Self {
+        Self::from_element(rows, T::default())
+    }
+    #[inline(always)]
+    fn set(&mut self, row: usize, _: usize, value: T) {
+        self[row] = value;
+    }
+}
+
+impl<T: Number> Array for DMatrix<T> {
+    type Item = T;
+    #[inline(always)]
+    fn rows(&self) -> usize {
+        self.nrows()
+    }
+    #[inline(always)]
+    fn columns(&self) -> usize {
+        self.ncols()
+    }
+    #[inline(always)]
+    fn entry(&self, row: usize, column: usize) -> T {
+        self[(row, column)]
+    }
+}
+
+impl<T: Number> Build for DMatrix<T> {
+    fn zeros(rows: usize, columns: usize) -> Self {
+        Self::from_element(rows, columns, T::default())
+    }
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: T) {
+        self[(row, column)] = value;
+    }
+}
+
+impl Array for sprs::CsMat<f64> {
+    type Item = f64;
+    fn rows(&self) -> usize {
+        sprs::CsMatBase::rows(self)
+    }
+    fn columns(&self) -> usize {
+        self.cols()
+    }
+    fn entry(&self, row: usize, column: usize) -> f64 {
+        self.get(row, column).copied().unwrap_or(0.0)
+    }
+}
+
+/// Each entry by itself.
+#[inline(always)]
+pub fn map<R: Build>(a: &impl Array<Item = R::Item>, f: impl Fn(R::Item) -> R::Item) -> R {
+    R::build(a.rows(), a.columns(), |i, j| f(a.entry(i, j)))
+}
+
+/// Two entries at a time; both of one size.
+#[inline(always)]
+pub fn zip<R: Build>(
+    a: &impl Array<Item = R::Item>,
+    b: &impl Array<Item = R::Item>,
+    f: impl Fn(R::Item, R::Item) -> R::Item,
+) -> R {
+    R::build(a.rows(), a.columns(), |i, j| {
+        f(a.entry(i, j), b.entry(i, j))
+    })
+}
+
+/// Integers as real numbers.
+#[inline(always)]
+pub fn reals<R: Build<Item = f64>>(a: &impl Array) -> R {
+    R::build(a.rows(), a.columns(), |i, j| a.entry(i, j).real())
+}
+
+/// The product of matrices.
+#[inline(always)]
+pub fn product<R: Build<Item = f64>>(a: &impl Array<Item = f64>, b: &impl Array<Item = f64>) -> R {
+    R::build(a.rows(), b.columns(), |i, j| {
+        let mut sum = 0.0;
+        for k in 0..a.columns() {
+            sum += a.entry(i, k) * b.entry(k, j);
+        }
+        sum
+    })
+}
+
+/// Rows and columns exchanged.
+#[inline(always)]
+pub fn transpose<R: Build>(a: &impl Array<Item = R::Item>) -> R {
+    R::build(a.columns(), a.rows(), |i, j| a.entry(j, i))
+}
+
+/// The same entries in another shape of the same size.
+#[inline(always)]
+pub fn reshape<R: Build>(a: &impl Array<Item = R::Item>) -> R {
+    R::build(a.rows(), a.columns(), |i, j| a.entry(i, j))
+}
+
+/// Sum of the products of the entries.
+#[inline(always)]
+pub fn inner(a: &impl Array<Item = f64>, b: &impl Array<Item = f64>) -> f64 {
+    fold(a, 0.0, |sum, i, j, x| sum + x * b.entry(i, j))
+}
+
+#[inline(always)]
+fn fold<A: Array, T>(a: &A, start: T, f: impl Fn(T, usize, usize, A::Item) -> T) -> T {
+    let mut value = start;
+    for j in 0..a.columns() {
+        for i in 0..a.rows() {
+            value = f(value, i, j, a.entry(i, j));
+        }
+    }
+    value
+}
+
+/// The Kronecker product.
+pub fn kronecker<R: Build<Item = f64>>(
+    a: &impl Array<Item = f64>,
+    b: &impl Array<Item = f64>,
+) -> R {
+    let (p, q) = (b.rows(), b.columns());
+    R::build(a.rows() * p, a.columns() * q, |i, j| {
+        a.entry(i / p, j / q) * b.entry(i % p, j % q)
+    })
+}
+
+/// The square root of the sum of the squares of the entries.
+#[inline(always)]
+pub fn norm(a: &impl Array<Item = f64>) -> f64 {
+    inner(a, a).sqrt()
+}
+
+/// The sum of the absolute values of the entries.
+pub fn norm_one(a: &impl Array<Item = f64>) -> f64 {
+    fold(a, 0.0, |sum, _, _, x| sum + x.abs())
+}
+
+/// The largest absolute value of the entries.
+pub fn norm_max(a: &impl Array<Item = f64>) -> f64 {
+    fold(a, 0.0, |most: f64, _, _, x| most.max(x.abs()))
+}
+
+/// The number of entries other than 0.
+pub fn norm_zero(a: &impl Array<Item = f64>) -> f64 {
+    fold(a, 0.0, |n, _, _, x| if x == 0.0 { n } else { n + 1.0 })
+}
+
+/// The `p`-norm.
+pub fn norm_power(a: &impl Array<Item = f64>, p: f64) -> f64 {
+    fold(a, 0.0, |sum, _, _, x| sum + x.abs().powf(p)).powf(1.0 / p)
+}
+
+/// `√(aᵀ P a)`.
+pub fn norm_weighted(a: &impl Array<Item = f64>, p: &impl Array<Item = f64>) -> f64 {
+    fold(p, 0.0, |sum, i, j, x| {
+        sum + a.entry(i, 0) * x * a.entry(j, 0)
+    })
+    .sqrt()
+}
+
+/// The sum of the diagonal.
+#[inline(always)]
+pub fn trace(a: &impl Array<Item = f64>) -> f64 {
+    (0..a.rows().min(a.columns())).map(|i| a.entry(i, i)).sum()
+}
+
+/// The diagonal of a matrix.
+pub fn diagonal_of<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
+    R::build(a.rows().min(a.columns()), 1, |i, _| a.entry(i, i))
+}
+
+/// The matrix with this diagonal.
+pub fn diagonal<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
+    R::build(
+        a.rows(),
+        a.rows(),
+        |i, j| if i == j { a.entry(i, 0) } else { 0.0 },
+    )
+}
+
+/// The columns of a matrix, one below the other.
+pub fn stack<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
+    let rows = a.rows();
+    R::build(rows * a.columns(), 1, |i, _| {
+        a.entry(i % rows.max(1), i / rows.max(1))
+    })
+}
+
+/// The items of a sequence, each column by column, one below the other.
+pub fn stack_items<R: Build<Item = f64>, A: Array<Item = f64>>(items: &[A]) -> R {
+    let mut entries = Vec::new();
+    for item in items {
+        for j in 0..item.columns() {
+            for i in 0..item.rows() {
+                entries.push(item.entry(i, j));
+            }
+        }
+    }
+    R::build(entries.len(), 1, |i, _| entries[i])
+}
+
+/// The inverse of [`stack`]: entries in the shape of a matrix.
+pub fn unstack<R: Build<Item = f64>>(
+    shape: &impl Array,
+    entries: &impl Array<Item = f64>,
+    fault: Fault,
+) -> Fallible<R> {
+    let (rows, columns) = (shape.rows(), shape.columns());
+    if entries.rows() != rows * columns {
+        return Err(fault);
+    }
+    Ok(R::build(rows, columns, |i, j| {
+        entries.entry(i + j * rows, 0)
+    }))
+}
+
+/// The inverse of [`stack_items`].
+pub fn unstack_items<R: Build<Item = f64>>(
+    shape: &[impl Array],
+    entries: &impl Array<Item = f64>,
+    fault: Fault,
+) -> Fallible<Vec<R>> {
+    let total: usize = shape.iter().map(|item| item.rows() * item.columns()).sum();
+    if entries.rows() != total {
+        return Err(fault);
+    }
+    let mut start = 0;
+    let mut items = Vec::with_capacity(shape.len());
+    for item in shape {
+        let (rows, columns) = (item.rows(), item.columns());
+        items.push(R::build(rows, columns, |i, j| {
+            entries.entry(start + i + j * rows, 0)
+        }));
+        start += rows * columns;
+    }
+    Ok(items)
+}
+
+/// A row as a column vector; the number is from 1.
+pub fn row<R: Build>(a: &impl Array<Item = R::Item>, number: i64, fault: Fault) -> Fallible<R> {
+    let row = index(number, a.rows(), fault)?;
+    Ok(R::build(a.columns(), 1, |j, _| a.entry(row, j)))
+}
+
+/// A column; the number is from 1.
+pub fn column<R: Build>(a: &impl Array<Item = R::Item>, number: i64, fault: Fault) -> Fallible<R> {
+    let column = index(number, a.columns(), fault)?;
+    Ok(R::build(a.rows(), 1, |i, _| a.entry(i, column)))
+}
+
+/// An entry by its numbers from 1.
+#[inline(always)]
+pub fn entry_at<A: Array>(a: &A, row: i64, column: i64, fault: Fault) -> Fallible<A::Item> {
+    Ok(a.entry(
+        index(row, a.rows(), fault)?,
+        index(column, a.columns(), fault)?,
+    ))
+}
+
+#[inline(always)]
+fn index(number: i64, size: usize, fault: Fault) -> Fallible<usize> {
+    match usize::try_from(number.wrapping_sub(1)) {
+        Ok(index) if index < size => Ok(index),
+        _ => Err(fault),
+    }
+}
+
+/// Puts a block into a matrix; the matrix is large enough.
+#[inline(always)]
+pub fn put<R: Build>(
+    matrix: &mut R,
+    row: usize,
+    column: usize,
+    block: &impl Array<Item = R::Item>,
+) {
+    for j in 0..block.columns() {
+        for i in 0..block.rows() {
+            matrix.set(row + i, column + j, block.entry(i, j));
+        }
+    }
+}
+
+/// The identity.
+pub fn identity<R: Build<Item = f64>>(n: usize) -> R {
+    R::build(n, n, |i, j| if i == j { 1.0 } else { 0.0 })
+}
+
+/// The least entry; a vector without entries has none.
+pub fn least<A: Array>(a: &A, fault: Fault) -> Fallible<A::Item> {
+    extreme(a, |x, best| x < best, fault)
+}
+
+/// The greatest entry; a vector without entries has none.
+pub fn greatest<A: Array>(a: &A, fault: Fault) -> Fallible<A::Item> {
+    extreme(a, |x, best| x > best, fault)
+}
+
+fn extreme<A: Array>(
+    a: &A,
+    better: impl Fn(A::Item, A::Item) -> bool,
+    fault: Fault,
+) -> Fallible<A::Item> {
+    let best = fold(a, None, |best: Option<A::Item>, _, _, x| match best {
+        Some(b) if !better(x, b) => Some(b),
+        _ => Some(x),
+    });
+    best.ok_or(fault)
+}
+
+/// A size as generated code counts; negative ones are empty.
+#[inline(always)]
+pub fn size(n: i64) -> usize {
+    usize::try_from(n).unwrap_or(0)
+}
+
+/// Two sizes that must agree.
+#[inline(always)]
+pub fn agree(a: i64, b: i64, fault: Fault) -> Fallible<()> {
+    if a == b { Ok(()) } else { Err(fault) }
+}
+
+/// A dynamic column of real numbers.
+pub type Column = DVector<f64>;

@@ -1,0 +1,264 @@
+//! Factorisations, through nalgebra.
+
+use glam::{DMat2, DMat3, DMat4};
+use nalgebra::{Const, DMatrix, DimMin, SMatrix, SVector};
+
+use super::dense::{Array, Build};
+use super::{Fallible, Fault};
+
+/// A square matrix that can be factorised.
+pub trait Square: Array<Item = f64> {
+    /// The solution of `self x = b`, by LU with partial pivoting; `None` for a singular matrix.
+    fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R>;
+    /// The determinant.
+    fn determinant(&self) -> f64;
+}
+
+impl<const N: usize> Square for SMatrix<f64, N, N>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
+        let lu = self.lu();
+        let mut all = R::zeros(N, b.columns());
+        for j in 0..b.columns() {
+            let mut column = SVector::<f64, N>::from_fn(|i, _| b.entry(i, j));
+            if !lu.solve_mut(&mut column) {
+                return None;
+            }
+            for i in 0..N {
+                all.set(i, j, column[i]);
+            }
+        }
+        Some(all)
+    }
+
+    fn determinant(&self) -> f64 {
+        self.lu().determinant()
+    }
+}
+
+impl Square for DMatrix<f64> {
+    fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
+        let mut right = DMatrix::from_fn(b.rows(), b.columns(), |i, j| b.entry(i, j));
+        if !self.clone().lu().solve_mut(&mut right) {
+            return None;
+        }
+        Some(R::build(self.nrows(), b.columns(), |i, j| right[(i, j)]))
+    }
+
+    fn determinant(&self) -> f64 {
+        self.clone().lu().determinant()
+    }
+}
+
+macro_rules! small {
+    ($matrix:ty, $n:literal) => {
+        impl Square for $matrix {
+            fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
+                fixed::<$n>(self).solution(b)
+            }
+
+            fn determinant(&self) -> f64 {
+                <$matrix>::determinant(self)
+            }
+        }
+    };
+}
+
+small!(DMat2, 2);
+small!(DMat3, 3);
+small!(DMat4, 4);
+
+#[inline(always)]
+fn fixed<const N: usize>(a: &impl Array<Item = f64>) -> SMatrix<f64, N, N> {
+    SMatrix::from_fn(|i, j| a.entry(i, j))
+}
+
+fn dynamic(a: &impl Array<Item = f64>) -> DMatrix<f64> {
+    DMatrix::from_fn(a.rows(), a.columns(), |i, j| a.entry(i, j))
+}
+
+/// The solution of `a x = b`; fails for a singular matrix.
+pub fn solve<R: Build<Item = f64>>(
+    a: &impl Square,
+    b: &impl Array<Item = f64>,
+    fault: Fault,
+) -> Fallible<R> {
+    a.solution(b).ok_or(fault)
+}
+
+/// The inverse; fails for a singular matrix.
+pub fn inverse<R: Build<Item = f64>>(a: &impl Square, fault: Fault) -> Fallible<R> {
+    let identity: DMatrix<f64> = super::identity(a.rows());
+    a.solution(&identity).ok_or(fault)
+}
+
+/// The determinant.
+pub fn determinant(a: &impl Square) -> f64 {
+    a.determinant()
+}
+
+/// A power: by repeated products for an integer, from the eigenvalues of a symmetric matrix otherwise; fails where it is
+/// not defined.
+pub fn power<R: Build<Item = f64>>(a: &impl Square, p: f64, fault: Fault) -> Fallible<R> {
+    let matrix = dynamic(a);
+    let n = matrix.nrows();
+    if p.fract() == 0.0 && p.abs() <= f64::from(u32::MAX) {
+        let base = match p < 0.0 {
+            true => inverse::<DMatrix<f64>>(a, fault)?,
+            false => matrix,
+        };
+        let mut exponent = p.abs() as u32;
+        let (mut square, mut result) = (base, DMatrix::identity(n, n));
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = &result * &square;
+            }
+            exponent >>= 1;
+            if exponent > 0 {
+                square = &square * &square;
+            }
+        }
+        return Ok(super::reshape(&result));
+    }
+    let scale = matrix.amax().max(f64::MIN_POSITIVE);
+    if (&matrix - matrix.transpose()).amax() > 1e-12 * scale {
+        return Err(fault);
+    }
+    let eigen = matrix.symmetric_eigen();
+    if eigen.eigenvalues.iter().any(|value| *value < 0.0) {
+        return Err(fault);
+    }
+    let powers = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.powf(p)));
+    Ok(super::reshape(
+        &(&eigen.eigenvectors * powers * eigen.eigenvectors.transpose()),
+    ))
+}
+
+/// Singular values below this part of the largest count as 0, times the larger size of the matrix.
+fn tolerance(values: &nalgebra::DVector<f64>, rows: usize, columns: usize) -> f64 {
+    values.max() * f64::EPSILON * rows.max(columns) as f64
+}
+
+/// The Moore–Penrose inverse.
+pub fn pseudo_inverse<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
+    let (rows, columns) = (a.rows(), a.columns());
+    if rows == 0 || columns == 0 {
+        return R::zeros(columns, rows);
+    }
+    let svd = dynamic(a).svd(true, true);
+    let least = tolerance(&svd.singular_values, rows, columns);
+    let (Some(u), Some(vt)) = (&svd.u, &svd.v_t) else {
+        return R::zeros(columns, rows);
+    };
+    R::build(columns, rows, |i, j| {
+        let terms = svd
+            .singular_values
+            .iter()
+            .enumerate()
+            .filter(|(_, s)| **s > least);
+        terms.map(|(k, s)| vt[(k, i)] * u[(j, k)] / s).sum()
+    })
+}
+
+/// The number of singular values above the tolerance.
+pub fn rank(a: &impl Array<Item = f64>) -> i64 {
+    if a.rows() == 0 || a.columns() == 0 {
+        return 0;
+    }
+    let values = dynamic(a).singular_values();
+    let least = tolerance(&values, a.rows(), a.columns());
+    values.iter().filter(|s| **s > least).count() as i64
+}
+
+/// The sum of the singular values.
+pub fn norm_nuclear(a: &impl Array<Item = f64>) -> f64 {
+    match a.rows() == 0 || a.columns() == 0 {
+        true => 0.0,
+        false => dynamic(a).singular_values().sum(),
+    }
+}
+
+/// The full singular value decomposition `a = U diag(σ) Vᵀ`, with σ descending.
+pub fn singular_values<U, S, V>(a: &impl Array<Item = f64>) -> (U, S, V)
+where
+    U: Build<Item = f64>,
+    S: Build<Item = f64>,
+    V: Build<Item = f64>,
+{
+    let (rows, columns) = (a.rows(), a.columns());
+    // square by zeros, so that both bases are complete
+    let n = rows.max(columns);
+    let mut square = DMatrix::zeros(n, n);
+    for i in 0..rows {
+        for j in 0..columns {
+            square[(i, j)] = a.entry(i, j);
+        }
+    }
+    let svd = square.svd(true, true);
+    let least = rows.min(columns);
+    let (u, vt) = (svd.u.unwrap_or_default(), svd.v_t.unwrap_or_default());
+    let left = complete(&u, rows, least);
+    let right = complete(&vt.transpose(), columns, least);
+    (
+        super::reshape(&left),
+        S::build(least, 1, |k, _| svd.singular_values[k]),
+        super::reshape(&right),
+    )
+}
+
+/// The first columns of a basis, cut to `n` rows, completed to an orthonormal basis.
+fn complete(basis: &DMatrix<f64>, n: usize, keep: usize) -> DMatrix<f64> {
+    let mut columns: Vec<nalgebra::DVector<f64>> = Vec::new();
+    let given = (0..keep).map(|k| basis.column(k).rows(0, n).into_owned());
+    let units =
+        (0..n).map(|k| nalgebra::DVector::from_fn(n, |i, _| if i == k { 1.0 } else { 0.0 }));
+    for (k, mut candidate) in given.chain(units).enumerate() {
+        if columns.len() == n {
+            break;
+        }
+        // twice is enough
+        for _ in 0..2 {
+            for column in &columns {
+                let part = column.dot(&candidate);
+                candidate -= column * part;
+            }
+        }
+        let length = candidate.norm();
+        if length > if k < keep { 1e-300 } else { 1e-6 } {
+            columns.push(candidate / length);
+        }
+    }
+    match columns.is_empty() {
+        true => DMatrix::zeros(n, 0),
+        false => DMatrix::from_columns(&columns),
+    }
+}
+
+/// An orthonormal basis of the kernel, in columns.
+pub fn null_space(a: &impl Array<Item = f64>) -> DMatrix<f64> {
+    let columns = a.columns();
+    let rank = rank(a) as usize;
+    let (_, _, right): (DMatrix<f64>, nalgebra::DVector<f64>, DMatrix<f64>) = singular_values(a);
+    right.columns(rank, columns - rank).into_owned()
+}
+
+/// An orthonormal basis of the column space, in columns.
+pub fn orthogonal_basis(a: &impl Array<Item = f64>) -> DMatrix<f64> {
+    let rank = rank(a) as usize;
+    let (left, _, _): (DMatrix<f64>, nalgebra::DVector<f64>, DMatrix<f64>) = singular_values(a);
+    left.columns(0, rank).into_owned()
+}
+
+/// A symmetric matrix with its eigenvalues replaced.
+pub fn with_eigenvalues<R: Build<Item = f64>>(
+    a: &impl Array<Item = f64>,
+    f: impl Fn(f64) -> f64,
+) -> R {
+    let matrix = dynamic(a);
+    let symmetric = (&matrix + matrix.transpose()) * 0.5;
+    let eigen = symmetric.symmetric_eigen();
+    let values = DMatrix::from_diagonal(&eigen.eigenvalues.map(f));
+    super::reshape(&(&eigen.eigenvectors * values * eigen.eigenvectors.transpose()))
+}
