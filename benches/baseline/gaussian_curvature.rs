@@ -64,8 +64,9 @@ pub fn scatter_parallel(
         .collect()
 }
 
+/// The curvature of one vertex.
 #[inline(always)]
-fn at_vertex(positions: &[DVec3], adjacency: &Adjacency, vertex: usize) -> f64 {
+pub fn at_vertex(positions: &[DVec3], adjacency: &Adjacency, vertex: usize) -> f64 {
     let x = positions[vertex];
     let mut sum = 0.0;
     for &Corner { next, previous } in adjacency.corners(vertex) {

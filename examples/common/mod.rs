@@ -8,4 +8,5 @@ pub mod generate;
 mod lettering;
 pub mod picture;
 mod raster;
+pub mod surface;
 pub mod timing;

@@ -116,8 +116,8 @@ impl Picture {
         self
     }
 
-    /// Limits the diverging scale to ±`limit` instead of taking the limits from the values, so that
-    /// several pictures can be compared.
+    /// Limits the scale to ±`limit`, or to `limit` above if it is sequential, instead of taking the limits from the
+    /// values, so that several pictures can be compared.
     pub fn limit(mut self, limit: f64) -> Picture {
         self.limit = Some(limit);
         self
@@ -269,7 +269,9 @@ impl Picture {
         if values.is_empty() {
             None
         } else if self.sequential {
-            Some(ColourScale::sequential(&values))
+            let mut scale = ColourScale::sequential(&values);
+            scale.high = self.limit.unwrap_or(scale.high);
+            Some(scale)
         } else {
             Some(self.limit.map_or_else(
                 || ColourScale::diverging(&values),

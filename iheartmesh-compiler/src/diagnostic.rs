@@ -1,5 +1,7 @@
 //! What the compiler has to say to its user: several labelled places, one message, one help line.
 
+use std::panic::Location;
+
 use crate::span::Span;
 
 /// How bad it is.
@@ -23,7 +25,7 @@ pub struct Label {
 }
 
 /// One message: lower case, no full stop, the user's symbols in backticks.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
@@ -33,24 +35,40 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// What to do about it.
     pub help: Option<String>,
+    /// Where in the compiler it was made: for those who work on it, and for the test that each message is tested.
+    pub raised: &'static Location<'static>,
 }
+
+impl PartialEq for Diagnostic {
+    /// Whether they say the same, wherever they were made.
+    fn eq(&self, other: &Self) -> bool {
+        let said = |d: &Self| (d.severity, d.message.clone(), d.help.clone());
+        self.labels == other.labels && said(self) == said(other)
+    }
+}
+
+impl Eq for Diagnostic {}
 
 impl Diagnostic {
     /// An error at `span`.
+    #[track_caller]
     pub fn error(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, span, message)
     }
 
     /// A warning at `span`.
+    #[track_caller]
     pub fn warning(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, span, message)
     }
 
     /// A note at `span`.
+    #[track_caller]
     pub fn note(span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Note, span, message)
     }
 
+    #[track_caller]
     fn new(severity: Severity, span: Span, message: impl Into<String>) -> Self {
         Self {
             severity,
@@ -60,6 +78,7 @@ impl Diagnostic {
                 text: String::new(),
             }],
             help: None,
+            raised: Location::caller(),
         }
     }
 

@@ -235,7 +235,7 @@ fn declarations() {
             2 | y ∈ ℝ^(2×
               |   ^
               |
-              = help: each item stands on a line of its own; use parentheses to go on over a line break
+              = help: the item goes on over the line break before this; is that line complete?
 
             error: unknown name `ij`
              --> test.hlang:3:3

@@ -89,6 +89,8 @@ fn powers() {
         a^(-b)
         a^2 × b
         a^b^c
+        a^-1^-1 b
+        A^-1^T
         a²b
         a^2b
         a⁻²
@@ -109,6 +111,10 @@ fn powers() {
                => expression (× (^ a 2) b)
             a^b^c
                => expression (^ a (^ b c))
+            a^-1^-1 b
+               => expression (solve (inv a) b)
+            A^-1^T
+               => expression (transpose (inv A))
             a²b
                => expression (* (^ a 2) b)
             a^2b

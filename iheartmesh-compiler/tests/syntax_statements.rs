@@ -40,6 +40,7 @@ fn functions() {
         h(t) = ∑_(i ∈ S) k with k = t i NL where t ∈ ℝ
         h(g) = g(1) where g ∈ ℝ → ℝ
         h(f) = f(1) where f ∈ ℝ
+        h(i, p) = p_i where i ∈ S, p : S → ℝ
         h(t) = t where t
         h(t = 3
         h(1) = 2
@@ -116,6 +117,11 @@ fn functions() {
                => function h(f)
                     = (* f 1)
                     where f ∈ ℝ
+            h(i, p) = p_i where i ∈ S, p : S → ℝ
+               => function h(i, p)
+                    = p[i]
+                    where i ∈ S
+                    where p : (S ↦ ℝ)
             h(t) = t where t
                Error: expected a declaration or a definition, found `t`
                = after `where` stand `x ∈ type` for the parameters and `name = value`, separated by commas

@@ -13,7 +13,7 @@ use syntax_support::corpus;
 /// Steps that the parser may take for each byte of a text.
 const STEPS: usize = 120;
 
-/// Reads, prints and renders a text; only the number of steps is checked.
+/// Reads, prints and renders a text; a text without mistakes has to be read back.
 fn survive(text: &str) {
     let source = Source::file("test.hlang", text);
     let steps = count_steps(&source);
@@ -29,6 +29,15 @@ fn survive(text: &str) {
     print::module(&module, Spelling::Unicode);
     print::module(&module, Spelling::Ascii);
     strip_spans(&mut module);
+    if !diagnostics.has_errors() {
+        for spelling in [Spelling::Unicode, Spelling::Ascii] {
+            let printed = print::module(&module, spelling);
+            let again = Source::file("test.hlang", printed.as_str());
+            let (mut again, _) = parse(&again, SourceId(0), &NoImports);
+            strip_spans(&mut again);
+            assert!(module == again, "{text}\n{printed}");
+        }
+    }
     for diagnostic in diagnostics.sorted() {
         assert!(diagnostic.help.is_some(), "{}", diagnostic.message);
         let span = diagnostic.span();

@@ -1,36 +1,20 @@
 //! Real meshes against counts and matrices that other libraries computed.
 //!
-//! The reference set is not part of the repository. It is looked for in the directory that the environment variable
-//! `IHEARTMESH_DATA` names, else in `../shared/data` beside the repository. The meshes in `meshes/` are always tested.
+//! The meshes in `meshes/` are always tested, the others where the reference set is.
 #![cfg(feature = "io")]
+
+#[path = "../../tests/support/reference_set.rs"]
+mod locate;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use iheartmesh_runtime::io::{self, MeshFile};
 use iheartmesh_runtime::{BoundaryMatrix, FaceMesh, Vertex};
 
-/// The directory of the reference set; `None`, said aloud, if it is not there.
 fn reference_set() -> Option<PathBuf> {
-    let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
-    let directory = std::env::var_os("IHEARTMESH_DATA").map_or_else(beside, PathBuf::from);
-    if directory.join("ref").is_dir() {
-        return Some(directory);
-    }
-    assert!(
-        std::env::var_os("IHEARTMESH_DATA").is_none(),
-        "IHEARTMESH_DATA: {} has no ref/",
-        directory.display()
-    );
-    // Not `eprintln!`, which the test harness keeps to itself when a test passes.
-    let _ = writeln!(
-        std::io::stderr(),
-        "SKIPPED: no reference data in {}; set IHEARTMESH_DATA",
-        directory.display()
-    );
-    None
+    locate::reference_set(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
 }
 
 fn repository_mesh(name: &str) -> MeshFile {

@@ -6,9 +6,11 @@
 //! module is bound or has been reported.
 
 mod dump;
+mod imports;
 pub mod names;
 mod order;
 pub mod symbols;
+mod unknown;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;

@@ -9,12 +9,18 @@ use crate::syntax::ast::{
 pub struct FreeNames<'a> {
     bound: Vec<String>,
     found: &'a mut dyn FnMut(&Name),
+    /// All names that were bound on the way.
+    pub binders: Vec<Name>,
 }
 
 impl<'a> FreeNames<'a> {
     /// A walk under binders of these names.
     pub fn new(bound: Vec<String>, found: &'a mut dyn FnMut(&Name)) -> Self {
-        Self { bound, found }
+        Self {
+            bound,
+            found,
+            binders: Vec::new(),
+        }
     }
 
     fn name(&mut self, name: &Name) {
@@ -26,6 +32,7 @@ impl<'a> FreeNames<'a> {
     fn under(&mut self, names: &[&Name], walk: impl FnOnce(&mut Self)) {
         let depth = self.bound.len();
         self.bound.extend(names.iter().map(|n| n.text.clone()));
+        self.binders.extend(names.iter().copied().cloned());
         walk(self);
         self.bound.truncate(depth);
     }

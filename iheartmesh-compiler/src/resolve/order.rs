@@ -32,9 +32,12 @@ pub fn order(module: &Module, diagnostics: &mut Diagnostics) -> Vec<usize> {
         match &item.kind {
             ItemKind::Function(f) => walk_function(f, &mut found),
             ItemKind::Definition(d) => walk_definition(d, &mut found),
-            ItemKind::Expression(e) => super::names::FreeNames::new(Vec::new(), &mut found).expr(e),
+            ItemKind::Expression(e) => {
+                super::names::FreeNames::new(Vec::new(), &mut found).expr(e);
+                Vec::new()
+            }
             ItemKind::Import(_) | ItemKind::Parameters(_) => continue,
-        }
+        };
         needs.insert(index, list);
     }
     let mut visit = Visit {
@@ -102,14 +105,24 @@ impl Visit<'_> {
                 .map_or(String::new(), |t| t.name.text.clone()),
             _ => String::new(),
         };
+        // shown from the definition on
+        let first = cycle.iter().position(|i| i == definition).unwrap_or(0);
+        let cycle: Vec<usize> = [&cycle[first..], &cycle[..first]].concat();
         let mut names: Vec<String> = cycle.iter().map(|i| format!("`{}`", name(i))).collect();
         names.push(names[0].clone());
-        self.diagnostics.push(
-            Diagnostic::error(
-                item_span(&self.module.syntax, *definition),
-                format!("the value of `{}` depends on itself", name(definition)),
-            )
-            .help(format!("the cycle is {}", names.join(" → "))),
-        );
+        let message = format!("the value of {} depends on itself", names[0]);
+        let place = |i: &usize| item_span(&self.module.syntax, *i);
+        let mut diagnostic = Diagnostic::error(place(definition), message);
+        if let [_] = cycle.as_slice() {
+            let help = "only functions may use themselves; give this value another name";
+            self.diagnostics.push(diagnostic.help(help));
+            return;
+        }
+        diagnostic = diagnostic.here(format!("needs {}", names[1]));
+        for (k, item) in cycle.iter().enumerate().skip(1) {
+            diagnostic = diagnostic.label(place(item), format!("needs {}", names[k + 1]));
+        }
+        self.diagnostics
+            .push(diagnostic.help(format!("the circle is {}", names.join(" → "))));
     }
 }

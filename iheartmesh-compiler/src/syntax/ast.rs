@@ -2,6 +2,8 @@
 //!
 //! Equality compares spans as well; [`super::print`] gives a text whose tree is equal up to spans.
 
+use std::collections::BTreeSet;
+
 use crate::span::Span;
 
 /// A whole source file.
@@ -9,6 +11,8 @@ use crate::span::Span;
 pub struct Module {
     /// Items in textual order.
     pub items: Vec<Item>,
+    /// Names in items that could not be read in full: they may be declared there, so nobody complains of them.
+    pub lost: BTreeSet<String>,
 }
 
 /// A name with its place. Back-ticks are not part of the text; the text is in NFC.

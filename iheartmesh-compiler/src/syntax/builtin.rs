@@ -116,3 +116,44 @@ pub fn exports(module: &str) -> Option<Vec<Export>> {
     };
     Some(functions.chain(constants).map(export).collect())
 }
+
+/// The functions of the standard module `Neighborhoods` of face meshes, to tell where an unknown name may come from.
+const NEIGHBORHOODS: &[&str] = &[
+    "Vertices",
+    "Edges",
+    "Faces",
+    "VertexOneRing",
+    "EdgeIndex",
+    "FaceIndex",
+    "NextVertexAroundFace",
+    "PreviousVertexAroundFace",
+    "NeighborVerticesInFace",
+    "OrientedVertices",
+    "Diamond",
+    "OppositeFaces",
+    "OrientedOppositeFaces",
+    "OppositeVertices",
+    "BoundaryEdges",
+    "BoundaryVertices",
+];
+
+/// The modules that come with the compiler and with the macro.
+pub const MODULES: &[&str] = &[
+    "trigonometry",
+    "linearalgebra",
+    "MeshConnectivity",
+    "Neighborhoods",
+];
+
+/// The import that makes a name known, for the names of [`MODULES`].
+pub fn import_of(name: &str) -> Option<String> {
+    if NEIGHBORHOODS.contains(&name) {
+        return Some(format!("{name} from Neighborhoods(M)"));
+    }
+    let has = |module: &&&str| {
+        let exports = exports(module).unwrap_or_default();
+        exports.iter().any(|export| export.name == name)
+    };
+    let module = MODULES.iter().find(has)?;
+    Some(format!("{name} from {module}"))
+}

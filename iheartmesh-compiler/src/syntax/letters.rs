@@ -62,7 +62,7 @@ pub(super) fn inverse(rest: &str) -> Option<usize> {
         && bytes
             .next()
             .is_some_and(|b| b.is_ascii_digit() || b == b'-' || b == b'+');
-    let goes_on = exponent || matches!(first, Some(b'0'..=b'9' | b'.' | b'^'));
+    let goes_on = exponent || matches!(first, Some(b'0'..=b'9' | b'.'));
     (!goes_on).then_some(3)
 }
 

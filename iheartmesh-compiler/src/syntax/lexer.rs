@@ -46,6 +46,8 @@ pub(super) struct Lexed {
 enum Line {
     Targets,
     Type,
+    /// After a comma behind a type: a further part of the type or a further declaration.
+    Further,
     Other,
 }
 
@@ -117,9 +119,10 @@ impl Lexer<'_> {
             _ => {}
         }
         self.line = match (self.line, kind) {
-            (Line::Targets, Kind::In | Kind::Colon | Kind::Subset) => Line::Type,
+            (Line::Targets | Line::Further, Kind::In | Kind::Colon | Kind::Subset) => Line::Type,
+            (Line::Type, Kind::Comma) if self.depth == 0 => Line::Further,
             (
-                Line::Targets,
+                line @ (Line::Targets | Line::Further),
                 Kind::Word(_)
                 | Kind::Quoted(_)
                 | Kind::Comma
@@ -128,9 +131,9 @@ impl Lexer<'_> {
                 | Kind::SubscriptNumber(_)
                 | Kind::Partial
                 | Kind::SuperscriptNumber(_),
-            ) => Line::Targets,
-            (Line::Type, Kind::Assign | Kind::AddAssign) => Line::Other,
-            (Line::Type, _) => Line::Type,
+            ) => line,
+            (Line::Type | Line::Further, Kind::Assign | Kind::AddAssign) => Line::Other,
+            (Line::Type | Line::Further, _) => Line::Type,
             _ => Line::Other,
         };
     }

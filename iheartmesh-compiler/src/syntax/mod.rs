@@ -25,6 +25,7 @@ mod token;
 pub use dump::dump;
 pub use export::{export_names, export_names_with};
 pub use strip::strip_spans;
+pub use suggest::closest;
 
 use crate::diagnostic::Diagnostics;
 use crate::source::Source;

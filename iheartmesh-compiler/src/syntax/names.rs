@@ -269,11 +269,18 @@ impl Collector<'_> {
 
     /// Collects the words of a type; says whether it is the type of a function.
     fn declared_type(&mut self, start: usize, end: usize, module: bool) -> bool {
-        let mapping = matches!(self.kind(start), Kind::Word(_) | Kind::Quoted(_))
-            && self.kind(start + 1) == Kind::Arrow;
+        let mut first = start;
+        while self.kind(first) == Kind::LeftParen && first < end {
+            first += 1;
+        }
+        let arrow = self.kind(first + 1 + (first - start)) == Kind::Arrow;
+        let mapping = matches!(self.kind(first), Kind::Word(_) | Kind::Quoted(_)) && arrow;
         let mut index = start;
+        let mut depth = 0usize;
         while index < end {
             match self.kind(index) {
+                Kind::LeftParen => depth += 1,
+                Kind::RightParen => depth = depth.saturating_sub(1),
                 Kind::Word(id) | Kind::Quoted(id) => {
                     let name = self.texts.get(id);
                     let known = !module && self.module.contains_key(name);
@@ -286,7 +293,10 @@ impl Collector<'_> {
                     }
                 }
                 Kind::Arrow => return !mapping,
-                Kind::Comma if matches!(self.kind(index + 1), Kind::Word(_) | Kind::Quoted(_)) => {
+                Kind::Comma
+                    if depth == 0
+                        && matches!(self.kind(index + 1), Kind::Word(_) | Kind::Quoted(_)) =>
+                {
                     return false;
                 }
                 Kind::Assign | Kind::In | Kind::Description | Kind::Where | Kind::With => {

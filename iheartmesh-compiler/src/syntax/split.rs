@@ -1,5 +1,7 @@
 //! The second pass: runs of letters become names, longest declared word first, in the scope of their item.
 
+use std::collections::BTreeMap;
+
 use super::layout::lay_out;
 use super::letters::letter;
 use super::lexer::{Lexed, Texts, lex};
@@ -21,6 +23,8 @@ pub(super) struct Prepared {
     pub items: Vec<ItemNames>,
     /// Whether the module declares a name `T`.
     pub names_t: bool,
+    /// Where the text could not be split into tokens.
+    pub damaged: Vec<Span>,
 }
 
 struct Splitter<'a> {
@@ -32,6 +36,8 @@ struct Splitter<'a> {
     underscores: bool,
     out: Vec<Token>,
     errors: Vec<Diagnostic>,
+    /// Words that are not known: the number of their message and of their uses.
+    unknown: BTreeMap<String, (usize, usize)>,
 }
 
 /// Text to tokens in which every name is settled.
@@ -41,6 +47,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         texts,
         errors,
     } = lex(text, source);
+    let damaged = errors.iter().map(Diagnostic::span).collect();
     let raw = lay_out(tokens);
     let Collected { module, mut items } = collect(&raw, &texts, imports);
     let mut splitter = Splitter {
@@ -52,6 +59,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         module: &module,
         out: Vec::with_capacity(raw.len() + raw.len() / 2),
         errors,
+        unknown: BTreeMap::new(),
     };
     let mut next = 0;
     for item in &mut items {
@@ -66,12 +74,18 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         item.range = start..splitter.out.len();
     }
     splitter.out.extend(&raw[next..]);
+    for (message, uses) in splitter.unknown.values() {
+        if *uses > 1 {
+            splitter.errors[*message].labels[0].text = format!("the first of {uses} uses");
+        }
+    }
     Prepared {
         tokens: splitter.out,
         texts: splitter.texts,
         errors: splitter.errors,
         items,
         names_t: module.contains_key("T"),
+        damaged,
     }
 }
 
@@ -293,13 +307,22 @@ impl Splitter<'_> {
 
     fn unknown(&mut self, item: &Names, word: &str, token: Token) {
         self.push(Kind::Unknown, token.start, token.end, token.space);
+        if let Some((_, uses)) = self.unknown.get_mut(word) {
+            *uses += 1;
+            return;
+        }
         if self.errors.len() >= super::MOST_ERRORS {
             return;
         }
+        self.unknown.insert(word.to_owned(), (self.errors.len(), 1));
         let span = Span::new(self.source, token.start as usize, token.end as usize);
         let names = item.keys().chain(self.module.keys()).map(String::as_str);
         let names = names.chain(builtin::ALWAYS.iter().copied());
         let help = match suggest::closest(word, names) {
+            _ if builtin::import_of(word).is_some() => {
+                let import = builtin::import_of(word).unwrap_or_default();
+                format!("`{import}` imports it")
+            }
             _ if word == "in" => "membership is written `∈` or `\\in`".into(),
             _ if word == "not" => {
                 "there is no `not`; turn the relation round, as in `a ≤ b`".into()

@@ -133,7 +133,7 @@ impl Body<'_> {
                 let may_fail = self.index_may_fail(*element);
                 match may_fail {
                     true => {
-                        let site = self.context.site(*element);
+                        let site = self.context.site(self.column_value(*element));
                         quote!(*rt::at(#field, #index, #site)?)
                     }
                     false => quote!(#field[#index]),

@@ -116,6 +116,11 @@ impl Context<'_> {
 
     /// What is said when an expression fails: its text and place.
     fn site(&self, e: ExprId) -> TokenStream {
+        // an item of a tuple fails where the tuple does
+        let mut e = e;
+        while let crate::ir::Kind::Project(tuple, _) = self.program().arena.kind(e) {
+            e = *tuple;
+        }
         let what = self.failure(e);
         let text = match self.program().arena.origin(e) {
             Some(span) => {

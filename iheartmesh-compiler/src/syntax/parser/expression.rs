@@ -358,6 +358,12 @@ impl Parser<'_> {
         let right = self.exponent()?;
         self.height = self.height.max(height);
         self.grow(op_span)?;
+        if is_minus_one(&right) {
+            self.after_inverse = self.at;
+            let op = UnaryOp::Inverse;
+            let operand = Box::new(base);
+            return Ok(make(ExprKind::Unary { op, operand }, self.since(start)));
+        }
         let (left, right) = (Box::new(base), Box::new(right));
         let op = BinaryOp::Power;
         let kind = ExprKind::Binary {
@@ -410,6 +416,13 @@ impl Parser<'_> {
     fn subscript_after_power(&mut self) -> bool {
         self.ahead(1) == Kind::Underscore
     }
+}
+
+fn is_minus_one(expr: &Expr) -> bool {
+    let ExprKind::Unary { op, operand } = &expr.kind else {
+        return false;
+    };
+    *op == UnaryOp::Negate && operand.kind == ExprKind::Integer(1)
 }
 
 fn is_norm(expr: &Expr) -> bool {

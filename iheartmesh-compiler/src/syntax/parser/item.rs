@@ -1,5 +1,7 @@
 //! Items: imports, parameters, functions, definitions.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::*;
 use super::super::import_names::import_name;
 use super::super::lexer::reserved;
@@ -12,25 +14,52 @@ use crate::span::Span;
 
 impl Parser<'_> {
     pub(super) fn module(&mut self, items: &[ItemNames]) -> Module {
-        let mut module = Module { items: Vec::new() };
+        let mut module = Module {
+            items: Vec::new(),
+            lost: BTreeSet::new(),
+        };
         for item in items {
             if item.range.start < self.at {
                 continue;
             }
+            let before = self.count;
             self.at = item.range.start;
             self.context = Context::PLAIN;
             self.depth = 0;
             self.height = 0;
             let start = self.here();
-            if let Ok(kind) = self.item(item) {
+            let read = self.item(item);
+            let complete = read.is_ok() && self.at_end();
+            if let Ok(kind) = read {
                 let span = self.since(start);
-                module.items.push(Item { kind, span });
-                if !self.at_end() {
-                    self.trailing();
+                if !complete {
+                    self.trailing(start);
                 }
+                if complete || !matches!(kind, ItemKind::Expression(_)) {
+                    module.items.push(Item { kind, span });
+                }
+            }
+            if !complete || self.count > before || self.is_damaged(item) {
+                self.lose(item, &mut module.lost);
             }
         }
         module
+    }
+
+    /// Whether the text of an item has a mistake below the level of tokens.
+    fn is_damaged(&self, item: &ItemNames) -> bool {
+        let first = self.tokens[item.range.start].start;
+        let end = self.tokens[item.range.end].start;
+        let mut places = self.damaged.iter();
+        places.any(|span| (first..end).contains(&span.start))
+    }
+
+    fn lose(&self, item: &ItemNames, lost: &mut BTreeSet<String>) {
+        for token in &self.tokens[item.range.start..item.range.end.max(self.at)] {
+            if let Kind::Name(id) | Kind::Function(id) = token.kind {
+                lost.insert(self.texts.get(id).to_owned());
+            }
+        }
     }
 
     fn at_end(&mut self) -> bool {
@@ -38,8 +67,13 @@ impl Parser<'_> {
     }
 
     /// Something follows an item that is complete.
-    fn trailing(&mut self) {
+    fn trailing(&mut self, start: Span) {
+        let read = start.start as usize..self.here().start as usize;
+        let goes_on = self.text[read].contains('\n');
         let help = match self.kind() {
+            Kind::Assign | Kind::In | Kind::Colon if goes_on => {
+                "the item goes on over the line break before this; is that line complete?"
+            }
             Kind::Where | Kind::With => {
                 "`where` follows a function with parameters or directly a sum"
             }
@@ -105,12 +139,13 @@ impl Parser<'_> {
                 self.at = back;
                 break;
             }
+            let start = self.here();
             match self.declaration() {
                 Ok(declaration) => list.push(declaration),
                 Err(Failed) => self.skip_item(),
             }
             if !self.at_end() {
-                self.trailing();
+                self.trailing(start);
                 self.skip_item();
             }
         }

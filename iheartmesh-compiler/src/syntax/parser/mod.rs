@@ -79,6 +79,8 @@ struct Parser<'a> {
     names_t: bool,
     diagnostics: Diagnostics,
     count: usize,
+    /// Where the text could not even be split into tokens.
+    damaged: Vec<Span>,
     steps: usize,
 }
 
@@ -119,6 +121,7 @@ fn begin<'a>(
         errors,
         items,
         names_t,
+        damaged,
     } = prepare(text, source, imports);
     let mut parser = Parser {
         text,
@@ -134,6 +137,7 @@ fn begin<'a>(
         names_t,
         diagnostics: Diagnostics::default(),
         count: 0,
+        damaged,
         steps: 0,
     };
     if !fits {

@@ -1,0 +1,120 @@
+//! What the compiler says of wrong programs: the message stands in the file of the program, below it.
+//!
+//! `UPDATE_EXPECT=1 cargo test --test diagnostics` writes the messages anew.
+
+mod diagnostics_support;
+
+use diagnostics_support::{files, folder, outcome, parse, print, read, shown};
+use expect_test::{Expect, expect};
+use iheartmesh_compiler::source::Source;
+use iheartmesh_compiler::span::SourceId;
+use iheartmesh_compiler::syntax::{self, ast};
+
+fn check_folder(name: &str) {
+    let update = std::env::var_os("UPDATE_EXPECT").is_some();
+    let mut wrong = Vec::new();
+    for file in files(&folder(name)) {
+        let mut cases = parse(&read(&file));
+        for case in &mut cases {
+            let found = case.messages();
+            if found != case.expected && !update {
+                wrong.push(format!(
+                    "{}, {}: expected\n{}\n\nfound\n{found}",
+                    file.display(),
+                    case.title,
+                    case.expected
+                ));
+            }
+            case.expected = found;
+        }
+        if update {
+            std::fs::write(&file, print(&cases)).expect("the folder of the cases is writable");
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+#[test]
+fn texts_that_are_not_programs() {
+    check_folder("parse");
+}
+
+#[test]
+fn names() {
+    check_folder("resolve");
+}
+
+#[test]
+fn types() {
+    check_folder("check");
+}
+
+#[test]
+fn line_breaks_of_other_systems() {
+    let text = "a ∈ ℝ\r\nu ∈ ℝ³\r\n\r\ny = ½\ta +\tu\r\n";
+    check(Source::file("program.hlang", text), expect![[r#"
+        error: cannot add ℝ and ℝ³
+         --> program.hlang:4:5
+          |
+        4 | y = ½    a +    u
+          |     ^^^^^^      - this is ℝ³
+          |     |
+          |     this is ℝ
+          |
+          = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
+    "#]]);
+}
+
+#[test]
+fn a_literal_of_a_rust_file() {
+    let source = Source {
+        file: "src/main.rs".to_owned(),
+        text: "a ∈ ℝ\n    u ∈ ℝ³\n    y = a + u".to_owned(),
+        first_line: 12,
+        indents: vec![24],
+        places: Vec::new(),
+    };
+    check(source, expect![[r#"
+        error: cannot add ℝ and ℝ³
+          --> src/main.rs:14:9
+           |
+        14 |     y = a + u
+           |         ^   - this is ℝ³
+           |         |
+           |         this is ℝ
+           |
+           = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
+    "#]]);
+}
+
+fn check(source: Source, expected: Expect) {
+    expected.assert_eq(&(shown(&outcome(source, Vec::new())) + "\n"));
+}
+
+/// What the compiler tells of the standard module is what it has.
+#[test]
+fn names_of_the_standard_module() {
+    for library in diagnostics_support::neighborhoods() {
+        let (module, _) = syntax::parse(&library.source, SourceId(0), &syntax::NoImports);
+        for item in module.items {
+            let names: Vec<_> = match item.kind {
+                ast::ItemKind::Function(f) => vec![f.name.text],
+                ast::ItemKind::Definition(d) => {
+                    d.targets.into_iter().map(|t| t.name.text).collect()
+                }
+                _ => continue,
+            };
+            for name in names {
+                // names of one letter or in back-ticks are its own, and two others are old spellings
+                if name.chars().count() == 1
+                    || !name.chars().all(|c| c.is_ascii_alphabetic())
+                    || ["NextVertexInFace", "NextVerticeInFace"].contains(&name.as_str())
+                {
+                    continue;
+                }
+                let import = syntax::builtin::import_of(&name);
+                assert_eq!(import, Some(format!("{name} from {}(M)", library.name)));
+            }
+        }
+    }
+}
