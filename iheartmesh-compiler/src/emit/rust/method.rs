@@ -247,9 +247,15 @@ impl Context<'_> {
             .iter()
             .map(|p| {
                 let name = names::ident(&names::rust_name(&p.name));
-                (name, self.parameter_type(&p.ty, &quote!('_)))
+                (name, self.parameter_type(&p.ty, &quote!('b)))
             })
             .unzip();
+        // a lifetime inside of `impl Into<…>` must have a name
+        let converted = |p: &Parameter| super::item::is_converted(&p.ty);
+        let lifetime = match function.parameters.iter().any(converted) {
+            true => quote!(<'b>),
+            false => TokenStream::new(),
+        };
         let body = self.fallible_body(id, false);
         let (doc, try_doc) = (
             docs::function(self, function, false, false),
@@ -263,7 +269,7 @@ impl Context<'_> {
             #doc
             #[inline]
             #[track_caller]
-            pub fn #method(&self #(, #parameters: #arguments)*) -> #outer {
+            pub fn #method #lifetime (&self #(, #parameters: #arguments)*) -> #outer {
                 match self.#fallible(#(#parameters),*) {
                     ::std::result::Result::Ok(value) => value,
                     ::std::result::Result::Err(error) => #krate::__private::fail(error),
@@ -271,7 +277,7 @@ impl Context<'_> {
             }
             #try_doc
             #[inline]
-            pub fn #fallible(&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
+            pub fn #fallible #lifetime (&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
                 use #krate::__private as rt;
                 let s = &self.state;
                 let t = &s.topology;
