@@ -11,7 +11,8 @@ mod table;
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
-    Shown, check_argument, check_cellular_set, check_element, check_length, check_same_length,
+    Shown, check_argument, check_cellular_set, check_element, check_length, check_member,
+    check_members, check_same_length,
     check_set, check_set_argument, fail, undefined,
 };
 pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};

@@ -56,10 +56,13 @@ impl Body<'_> {
             Kind::Input(id) => {
                 let field = self.context.input_field(*id);
                 match self.ty(e) {
-                    ty if is_copy(ty) => quote!(s.#field),
                     // a local name, see `prelude`
                     Type::Sequence { .. } => quote!(#field),
-                    _ => quote!(s.#field.clone()),
+                    ty if super::item::is_converted(ty) => {
+                        let value = self.context.to_inner(quote!(s.#field.as_ref()), ty);
+                        quote!((#value))
+                    }
+                    ty => self.context.to_inner(quote!(s.#field), ty),
                 }
             }
             Kind::Global(id) => {
@@ -247,9 +250,11 @@ impl Body<'_> {
             let site = self.context.site(e);
             quote!(*rt::entry(#base, #place, #site)?)
         };
-        match copy {
-            true => found,
-            false => quote!((#found).clone()),
+        match (self.kind(sequence), copy) {
+            // the host's items
+            (Kind::Input(_), true) if self.ty(e).is_element() => quote!((#found).id()),
+            (_, true) => found,
+            (_, false) => quote!((#found).clone()),
         }
     }
 

@@ -164,6 +164,12 @@ impl Context<'_> {
             .map(|p| {
                 let name = names::ident(&names::rust_name(&p.name));
                 let (called, written, set) = (&function.name, &p.name, &p.within_name);
+                if let Some(members) = self.all_elements(p) {
+                    return match p.ty.is_element() {
+                        true => quote!(rt::check_member(#called, #written, #name, #members, #set)?;),
+                        false => quote!(rt::check_members(#called, #written, #name.as_ref(), #members, #set)?;),
+                    };
+                }
                 match (&p.ty, p.ty.element_of_set()) {
                     (Type::Element(element), _) => {
                         let n = self.count(*element);

@@ -19,7 +19,7 @@ impl Body<'_> {
             Kind::Variable(v) => self.variable_name(*v),
             Kind::Input(id) => {
                 let field = self.context.input_field(*id);
-                quote!(&s.#field[..])
+                quote!(&rt::ids_of_set(s.#field.as_ref())[..])
             }
             Kind::Global(id) => {
                 let name = self.context.global_name(*id);
