@@ -5,23 +5,26 @@ mod chain;
 mod check;
 mod fault;
 mod ids;
+mod local;
 mod orbit;
 mod table;
+mod touch;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element, check_length, check_member,
-    check_members, check_same_length,
-    check_set, check_set_argument, fail, undefined,
+    check_members, check_same_length, check_set, check_set_argument, fail, undefined,
 };
 pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};
 pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,
 };
+pub use local::Locals;
 pub use orbit::Orbits;
 pub use table::{Dense, Rows, Table, concatenated};
+pub use touch::{Touch, touch};
 
 /// Stands in a row where an element is missing.
 pub const NO_ELEMENT: u32 = u32::MAX;

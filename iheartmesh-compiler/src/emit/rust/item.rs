@@ -356,8 +356,23 @@ impl Context<'_> {
             Some(staged) => {
                 let prelude = self.prelude(&[staged.body]);
                 let row = self.key_row(&staged.plan);
+                let key = function
+                    .parameters
+                    .first()
+                    .map(|p| variable_ident(self, p.variable));
                 let body = Body::single(self, Mode::Dynamic, &staged.plan, staged.body);
                 let whole = self.whole(id, staged).map(|(_, code)| code);
+                if let Some((table, row, n)) = self.row_of_function(id) {
+                    let of_row = self.row_function_name(id);
+                    return quote! {
+                        #[inline]
+                        pub fn #of_row(s: &State<'_>, #row: &[u32; #n]) -> rt::Fallible<#ty> { #prelude #body }
+                        pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> {
+                            #of_row(s, s.plans.#table.row(#key as usize))
+                        }
+                        #whole
+                    };
+                }
                 quote! {
                     pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #prelude #row #body }
                     #whole
