@@ -3,8 +3,8 @@
 //! [`iheartmesh!`] compiles mathematical notation for computations on meshes into a struct. Everything that depends on
 //! the mesh alone is worked out once, when the struct is made; what is left for each call is straight arithmetic.
 //!
-//! ```ignore
-//! use iheartmesh::iheartmesh;
+//! ```
+//! use iheartmesh::{FaceMesh, glam::DVec3, iheartmesh};
 //!
 //! iheartmesh! {
 //!     /// Angle defect at each vertex, in radians.
@@ -24,13 +24,14 @@
 //!     "#;
 //! }
 //!
-//! let mesh = iheartmesh::FaceMesh::from_triangles(4, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
-//! let positions = vec![[1., 1., 1.], [1., -1., -1.], [-1., 1., -1.], [-1., -1., 1.]];
+//! // a regular tetrahedron
+//! let mesh = FaceMesh::from_triangles(4, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
+//! let positions = [[1., 1., 1.], [1., -1., -1.], [-1., 1., -1.], [-1., -1., 1.]].map(DVec3::from);
 //! let curvature = GaussianCurvature::new(&mesh, positions)?;
-//! // Gauss and Bonnet: 2π times the Euler characteristic, which is 2 for the surface of a tetrahedron
+//! // Gauss and Bonnet: 2π times the Euler characteristic, which is 2
 //! let total: f64 = curvature.K_all().iter().sum();
 //! assert!((total - 4.0 * std::f64::consts::PI).abs() < 1e-9);
-//! # Ok::<(), iheartmesh::Error>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The parameters of the source (`M`, `x`) are the parameters of `new`, in the order of their declarations; each
@@ -45,7 +46,7 @@ pub use iheartmesh_runtime::*;
 
 /// Compiles modules written in mathematical notation, each into a struct.
 ///
-/// ```ignore
+/// ```text
 /// iheartmesh::iheartmesh! {
 ///     use my_rings::KRings;                       // modules of other crates that the sources import
 ///
@@ -64,7 +65,7 @@ pub use iheartmesh_runtime::*;
 /// - `include "file.hlang"`: a file of its own, relative to the directory of `Cargo.toml`. An edit of the file
 ///   compiles the module anew;
 /// - lines in braces, of string literals `{ "M : FaceMesh" "x_i ∈ ℝ³" }` or of comments
-///   ```ignore
+///   ```text
 ///   struct Name = {
 ///       /// M : FaceMesh
 ///       /// x_i ∈ ℝ³
@@ -108,3 +109,7 @@ pub mod __macros {
     pub use iheartmesh_macros::{expand, resume};
     pub use iheartmesh_neighborhoods as neighborhoods;
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

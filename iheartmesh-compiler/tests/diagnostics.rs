@@ -52,7 +52,9 @@ fn types() {
 #[test]
 fn line_breaks_of_other_systems() {
     let text = "a ∈ ℝ\r\nu ∈ ℝ³\r\n\r\ny = ½\ta +\tu\r\n";
-    check(Source::file("program.hlang", text), expect![[r#"
+    check(
+        Source::file("program.hlang", text),
+        expect![[r#"
         error: cannot add ℝ and ℝ³
          --> program.hlang:4:5
           |
@@ -62,7 +64,8 @@ fn line_breaks_of_other_systems() {
           |     this is ℝ
           |
           = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -74,7 +77,9 @@ fn a_literal_of_a_rust_file() {
         indents: vec![24],
         places: Vec::new(),
     };
-    check(source, expect![[r#"
+    check(
+        source,
+        expect![[r#"
         error: cannot add ℝ and ℝ³
           --> src/main.rs:14:9
            |
@@ -84,7 +89,8 @@ fn a_literal_of_a_rust_file() {
            |         this is ℝ
            |
            = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
-    "#]]);
+    "#]],
+    );
 }
 
 fn check(source: Source, expected: Expect) {

@@ -2,7 +2,8 @@
 
 use std::ops::Deref;
 
-/// A sequence that is owned or borrowed. `&[T]`, `&Vec<T>`, `&[T; N]`, `Vec<T>` and `[T; N]` turn into it.
+/// A sequence that is owned or borrowed. `&[T]`, `&Vec<T>`, `&[T; N]`, `Vec<T>` and `[T; N]` turn into it; for vectors
+/// owned arrays of coordinates too.
 ///
 /// A borrowed sequence is never cloned.
 #[derive(Clone, Debug)]
@@ -61,6 +62,26 @@ impl<'a, T, const N: usize> From<&'a [T; N]> for Values<'a, T> {
         Values::Borrowed(values)
     }
 }
+
+macro_rules! coordinates {
+    ($($vector:ident $n:literal),*) => {$(
+        impl From<Vec<[f64; $n]>> for Values<'_, glam::$vector> {
+            /// Coordinates, as most files and libraries hand them out.
+            fn from(values: Vec<[f64; $n]>) -> Self {
+                Values::Owned(values.into_iter().map(glam::$vector::from).collect())
+            }
+        }
+
+        impl<const N: usize> From<[[f64; $n]; N]> for Values<'_, glam::$vector> {
+            /// Coordinates, as most files and libraries hand them out.
+            fn from(values: [[f64; $n]; N]) -> Self {
+                Values::Owned(values.map(glam::$vector::from).into())
+            }
+        }
+    )*};
+}
+
+coordinates!(DVec2 2, DVec3 3, DVec4 4);
 
 /// A value that is owned or borrowed. `T` and `&T` turn into it.
 #[derive(Clone, Debug)]

@@ -6,7 +6,24 @@
 //!
 //! | module | for |
 //! | --- | --- |
-//! | `Neighborhoods` | face meshes: what touches what, one-rings, the order of vertices around a face |
+//! | [`Neighborhoods`] | face meshes: what touches what, one-rings, the order of vertices around a face, flaps of edges, boundaries |
+//!
+//! ```
+//! use iheartmesh_neighborhoods::Neighborhoods;
+//! use iheartmesh_runtime::{Edge, FaceMesh, Vertex};
+//!
+//! //   3───2
+//! //   │ ╲ │
+//! //   0───1
+//! let mesh = FaceMesh::from_triangles(4, &[[0, 1, 3], [1, 2, 3]])?;
+//! let neighborhoods = Neighborhoods::new(&mesh)?;
+//! assert_eq!(neighborhoods.VertexOneRing(Vertex::new(0)).len(), 2);
+//! assert_eq!(neighborhoods.OppositeVertices(Edge::new(3)), (Vertex::new(0), Vertex::new(2)));
+//! assert!(neighborhoods.try_OppositeVertices(Edge::new(0)).is_err()); // at the boundary
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What each one is, in which order, and what happens at a boundary, is in `docs/neighborhoods.md`.
 
 // The macro gives every call three paths: what the generated code runs on, where the macros are, and where the
 // standard modules are. The facade cannot be named here, since it depends on this crate.

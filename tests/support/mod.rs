@@ -4,6 +4,7 @@ pub mod fields;
 pub mod json;
 pub mod reference_mesh;
 pub mod reference_set;
+pub mod soups;
 
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,9 @@
 pub mod binding;
 mod fields;
 mod inline;
+mod locals;
 pub use inline::reachable;
+pub use locals::is_read_from_row;
 mod orbits;
 mod plan;
 pub use plan::MayFail;
@@ -115,6 +117,20 @@ pub struct Space {
 pub struct Plan {
     /// Levels, each after the one above it.
     pub spaces: Vec<Space>,
+    /// Values that the rows of a key share.
+    pub locals: Vec<Local>,
+}
+
+/// Calls of a function of one element in the rows of a space, whose values are computed once for each element around
+/// the key.
+#[derive(Clone, Debug)]
+pub struct Local {
+    /// The space.
+    pub space: VariableId,
+    /// The function.
+    pub function: FunctionId,
+    /// The calls, with the columns that hold their elements.
+    pub calls: Vec<(ExprId, u32)>,
 }
 
 impl Plan {
@@ -214,6 +230,7 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     plan::run(&mut staged, &binding, optimizations.plan);
     if optimizations.plan && optimizations.fields {
         fields::run(&mut staged);
+        locals::run(&mut staged);
     }
     if optimizations.plan && optimizations.orbits {
         orbits::run(&mut staged);

@@ -1,6 +1,7 @@
 //! Evaluation for all elements, in parallel where that pays.
 
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -11,52 +12,64 @@ pub type Whole<T> = Result<Vec<T>, (u32, Fault)>;
 
 /// Fewer elements than this are evaluated on one thread.
 const LEAST_PARALLEL: usize = 2048;
-/// Elements that a thread takes at a time.
-const CHUNK: usize = 4096;
 
-fn is_parallel(n: usize) -> bool {
+/// Whether work on so many elements is shared among threads.
+pub(super) fn is_parallel(n: usize) -> bool {
     n >= LEAST_PARALLEL && rayon::current_num_threads() > 1
 }
 
 /// The value of `f` for every element below `n`.
-pub fn for_each_element<T: Send>(n: usize, f: impl Fn(u32) -> Fallible<T> + Sync) -> Whole<T> {
+pub fn for_each_element<T: Clone + Send + Sync>(
+    n: usize,
+    f: impl Fn(u32) -> Fallible<T> + Sync,
+) -> Whole<T> {
     values(n, |k| k as u32, f)
 }
 
 /// The value of `f` for every member of a set.
-pub fn for_each_of<T: Send>(set: &[u32], f: impl Fn(u32) -> Fallible<T> + Sync) -> Whole<T> {
+pub fn for_each_of<T: Clone + Send + Sync>(
+    set: &[u32],
+    f: impl Fn(u32) -> Fallible<T> + Sync,
+) -> Whole<T> {
     values(set.len(), |k| set[k], f)
 }
 
 #[inline]
-fn values<T: Send>(
+fn values<T: Clone + Send + Sync>(
     n: usize,
     element: impl Fn(usize) -> u32 + Sync,
     f: impl Fn(u32) -> Fallible<T> + Sync,
 ) -> Whole<T> {
-    let chunk = |range: Range<usize>| -> Whole<T> {
-        let mut values = Vec::with_capacity(range.len());
-        for k in range {
+    if !is_parallel(n) {
+        let mut values = Vec::with_capacity(n);
+        for k in 0..n {
             let v = element(k);
             match f(v) {
                 Ok(value) => values.push(value),
                 Err(fault) => return Err((v, fault)),
             }
         }
-        Ok(values)
-    };
-    if !is_parallel(n) {
-        return chunk(0..n);
+        return Ok(values);
     }
-    let chunks: Vec<Whole<T>> = (0..n.div_ceil(CHUNK))
+    // Values are written in place. Where there is none, that of the first element stands in, and all are thrown away.
+    let value = |k: usize| f(element(k)).map_err(|fault| (element(k), fault));
+    let stand_in = value(0)?;
+    let failed = AtomicUsize::new(n);
+    let values = (0..n)
         .into_par_iter()
-        .map(|c| chunk(c * CHUNK..n.min((c + 1) * CHUNK)))
+        .with_min_len(LEAST_PARALLEL / 2)
+        .map(|k| match f(element(k)) {
+            Ok(value) => value,
+            Err(_) => {
+                failed.fetch_min(k, Ordering::Relaxed);
+                stand_in.clone()
+            }
+        })
         .collect();
-    let mut all = Vec::with_capacity(n);
-    for chunk in chunks {
-        all.append(&mut chunk?);
+    match failed.into_inner() {
+        k if k < n => value(k).map(|_| values),
+        _ => Ok(values),
     }
-    Ok(all)
 }
 
 /// Runs `f` over consecutive ranges of `0..n`; the results in order. A plan is made in this way.

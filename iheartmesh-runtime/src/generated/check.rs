@@ -61,6 +61,33 @@ pub fn check_set_argument<T: Element + SetItem>(
     }
 }
 
+/// An element that must be in a set of elements.
+pub fn check_member<T: Element>(
+    function: &str,
+    parameter: &str,
+    element: T,
+    members: &[u32],
+    set: &str,
+) -> Result<(), Error> {
+    if members.binary_search(&element.id()).is_ok() {
+        return Ok(());
+    }
+    Err(not_member(function, parameter, element, set, members.len()))
+}
+
+/// A set that must be part of a set of elements.
+pub fn check_members<T: Element + SetItem>(
+    function: &str,
+    parameter: &str,
+    elements: &Set<T>,
+    members: &[u32],
+    set: &str,
+) -> Result<(), Error> {
+    elements
+        .iter()
+        .try_for_each(|element| check_member(function, parameter, *element, members, set))
+}
+
 /// A cellular set that is an argument of a function.
 pub fn check_cellular_set(
     function: &str,

@@ -7,15 +7,17 @@ mod dense;
 mod fault;
 mod ids;
 mod linear;
+mod local;
 mod orbit;
 mod sparse;
 mod table;
+mod touch;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
-    Shown, check_argument, check_cellular_set, check_element, check_length, check_set,
-    check_set_argument, check_size, fail, undefined,
+    Shown, check_argument, check_cellular_set, check_element, check_length, check_member,
+    check_members, check_set, check_set_argument, check_size, fail, undefined,
 };
 pub use dense::*;
 pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};
@@ -24,9 +26,11 @@ pub use ids::{
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,
 };
 pub use linear::*;
+pub use local::Locals;
 pub use orbit::Orbits;
 pub use sparse::*;
 pub use table::{Dense, Rows, Table, concatenated};
+pub use touch::{Touch, touch};
 
 /// Stands in a row where an element is missing.
 pub const NO_ELEMENT: u32 = u32::MAX;

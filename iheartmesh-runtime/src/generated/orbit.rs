@@ -1,25 +1,52 @@
 //! Groups of rows whose terms are computed together.
 
-use std::ops::AddAssign;
+mod order;
+
+use std::hint::black_box;
+use std::ops::{AddAssign, Range};
 
 use rayon::prelude::*;
 
-use super::{Fallible, Fault, NO_ELEMENT, Table};
+use super::all::is_parallel;
+use super::{Fallible, NO_ELEMENT, Table, for_each_element};
 
 /// Groups of `M` rows with `A` elements each; the elements of each row of a group are those of the row before it,
 /// exchanged. The first element of a row is its key.
 #[derive(Clone, Debug)]
 pub struct Orbits<const A: usize, const M: usize> {
-    /// The elements of the first row of each group.
+    n_keys: usize,
+    /// The elements of the first row of each group; in the order of the first sum that a group is added to.
     groups: Vec<[u32; A]>,
-    /// Rows that belong to no group: key and number of the row.
+    /// Rows that belong to no group: key and number of the row; in the order of the sums.
     singles: Vec<[u32; 2]>,
     /// Which elements of the first row are the keys of the rows of a group.
     keys: [usize; M],
-    /// For each key, where its terms are among those of the groups, then of the singles; ascending.
-    starts: Vec<u32>,
-    places: Vec<u32>,
+    /// Where the sum of each key stands, when the numbering of the keys is not local.
+    rank: Option<Vec<u32>>,
+    /// Then, where the sums of the keys of each group stand.
+    targets: Option<Vec<[u32; M]>>,
+    /// Number of sums in a block.
+    block_size: usize,
+    blocks: Vec<Block>,
 }
+
+/// What consecutive sums need.
+#[derive(Clone, Debug, Default)]
+struct Block {
+    /// The end of the groups whose first sum is in this block or before.
+    groups_end: u32,
+    /// The end of the singles whose sum is in this block or before.
+    singles_end: u32,
+    /// Groups of earlier blocks that have sums in this one too; ascending.
+    foreign: Vec<u32>,
+}
+
+/// About so many blocks, of which threads take several at a time.
+const BLOCKS: usize = 256;
+/// So many groups are read at once where they are not in the order of memory.
+const BATCH: usize = 32;
+/// The least number of sums in a block.
+const LEAST_BLOCK: usize = 256;
 
 /// Groups in which fewer rows than this part take part are not worth it.
 const LEAST_PART: f64 = 0.5;
@@ -38,10 +65,10 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         let n_keys = table.n_keys();
         let mut groups = Vec::with_capacity(table.len() / M + 1);
         let mut singles = Vec::new();
-        let mut place = vec![u32::MAX; table.len()];
+        let mut taken = vec![false; table.len()];
         for key in 0..n_keys {
             for (number, row) in table.enumerate_rows_of(key) {
-                if place[number] != u32::MAX {
+                if taken[number] {
                     continue;
                 }
                 let first = elements(key as u32, row);
@@ -58,9 +85,7 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                         table
                             .enumerate_rows_of(partner)
                             .find(|(other, row)| {
-                                *other != number
-                                    && place[*other] == u32::MAX
-                                    && elements(next[0], row) == next
+                                *other != number && !taken[*other] && elements(next[0], row) == next
                             })
                             .map(|(other, _)| other)
                     });
@@ -72,15 +97,11 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                 }
                 let distinct = (1..M).all(|k| !members[..k].contains(&members[k]));
                 if complete && distinct {
-                    let start = (groups.len() * M) as u32;
                     groups.push(first);
-                    for (k, member) in members.iter().enumerate() {
-                        place[*member] = start + k as u32;
-                    }
+                    members.iter().for_each(|member| taken[*member] = true);
                 } else {
-                    // its place follows when all groups are known
                     singles.push([key as u32, number as u32]);
-                    place[number] = u32::MAX - 1;
+                    taken[number] = true;
                 }
             }
         }
@@ -93,182 +114,201 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
             current = std::array::from_fn(|k| current[permutation[k]]);
             *key = current[0];
         }
-        let mut orbits = Self {
+        let (groups, singles, order) = match order::is_coherent(n_keys, &groups, &keys) {
+            true => (groups, singles, None),
+            false => {
+                let rank = order::breadth_first(n_keys, &groups, &keys);
+                let groups = order::sorted_by_rank(n_keys, groups, |g| first_rank(&rank, g, &keys));
+                let singles = order::sorted_by_rank(n_keys, singles, |s| rank[s[0] as usize]);
+                (groups, singles, Some(rank))
+            }
+        };
+        Some(Self::with_blocks(n_keys, groups, singles, keys, order))
+    }
+
+    fn with_blocks(
+        n_keys: usize,
+        groups: Vec<[u32; A]>,
+        singles: Vec<[u32; 2]>,
+        keys: [usize; M],
+        rank: Option<Vec<u32>>,
+    ) -> Self {
+        let block_size = n_keys.div_ceil(BLOCKS).max(LEAST_BLOCK);
+        let n_blocks = n_keys.div_ceil(block_size);
+        let targets: Option<Vec<[u32; M]>> = rank.as_ref().map(|rank| {
+            let targets = |g: &[u32; A]| keys.map(|k| rank[g[k] as usize]);
+            groups.par_iter().map(targets).collect()
+        });
+        let mut blocks = vec![Block::default(); n_blocks];
+        for number in 0..groups.len() {
+            let targets = match &targets {
+                None => keys.map(|k| groups[number][k]),
+                Some(targets) => targets[number],
+            };
+            let of = targets.map(|target| target as usize / block_size);
+            let own = of.iter().copied().min().unwrap_or(0);
+            blocks[own].groups_end = number as u32 + 1;
+            for (k, &block) in of.iter().enumerate() {
+                if block != own && !of[..k].contains(&block) {
+                    blocks[block].foreign.push(number as u32);
+                }
+            }
+        }
+        for (number, single) in (1u32..).zip(&singles) {
+            let target = rank.as_ref().map_or(single[0], |r| r[single[0] as usize]);
+            blocks[target as usize / block_size].singles_end = number;
+        }
+        let (mut groups_end, mut singles_end) = (0, 0);
+        for block in &mut blocks {
+            groups_end = block.groups_end.max(groups_end);
+            singles_end = block.singles_end.max(singles_end);
+            (block.groups_end, block.singles_end) = (groups_end, singles_end);
+        }
+        Self {
+            n_keys,
             groups,
             singles,
             keys,
-            starts: Vec::new(),
-            places: Vec::new(),
-        };
-        orbits.order_for_locality(n_keys);
-        orbits.place_terms(n_keys);
-        Some(orbits)
+            rank,
+            targets,
+            block_size,
+            blocks,
+        }
     }
 
-    /// Puts the groups in an order in which those that share elements are near each other, where the numbering of the
-    /// elements does not give it.
-    fn order_for_locality(&mut self, n_keys: usize) {
-        let spread: u64 = self
-            .groups
-            .iter()
-            .step_by(1 + self.groups.len() / 4096)
-            .map(|g| u64::from(g[0].abs_diff(g[self.keys[1]])))
-            .sum();
-        let samples = self
-            .groups
-            .len()
-            .div_ceil(1 + self.groups.len() / 4096)
-            .max(1) as u64;
-        // neighbours in a coherent numbering are a row of the mesh apart, about √n; in a random one about n/3
-        if n_keys < 16_384 || spread / samples < n_keys as u64 / 16 {
-            return;
-        }
-        let rank = breadth_first(n_keys, &self.groups, &self.keys);
-        let keys = self.keys;
-        self.groups.par_sort_by_cached_key(|g| {
-            keys.iter().map(|k| rank[g[*k] as usize]).min().unwrap_or(0)
-        });
-    }
-
-    fn keys_of_terms(&self) -> impl Iterator<Item = u32> {
-        let keys = self.keys;
-        let grouped = self.groups.iter().flat_map(move |g| keys.map(|k| g[k]));
-        grouped.chain(self.singles.iter().map(|s| s[0]))
-    }
-
-    /// Notes for each key where its terms are.
-    fn place_terms(&mut self, n_keys: usize) {
-        let mut starts = vec![0u32; n_keys + 1];
-        for key in self.keys_of_terms() {
-            starts[key as usize + 1] += 1;
-        }
-        for k in 0..n_keys {
-            starts[k + 1] += starts[k];
-        }
-        let mut next = starts.clone();
-        let mut places = vec![0u32; starts[n_keys] as usize];
-        for (place, key) in (0u32..).zip(self.keys_of_terms()) {
-            let slot = &mut next[key as usize];
-            places[*slot as usize] = place;
-            *slot += 1;
-        }
-        self.starts = starts;
-        self.places = places;
-    }
-
-    /// The sum of the terms of each key. `terms` gives those of a group from the elements of its first row, `term` that
-    /// of a single row. Every sum is formed in the same order, whatever the number of threads.
-    ///
-    /// # Errors
-    /// A key with a term that has no value, and the reason.
-    pub fn sums<const N: usize, T>(
+    /// The value of each key: `rest` of the key and the sum of its terms. `terms` gives those of a group from the
+    /// elements of its first row, `touch` reads what these need, `term` gives that of a single row. Every sum is formed in the same order, whatever the
+    /// number of threads. `None` when any of them has no value.
+    pub fn values<const N: usize, T, R>(
         &self,
         table: &Table<N>,
         zero: T,
+        touch: impl Fn(&[u32; A]) -> u64 + Sync,
         terms: impl Fn([u32; A]) -> Fallible<[T; M]> + Sync,
         term: impl Fn(u32, &[u32; N]) -> Fallible<T> + Sync,
-    ) -> Result<Vec<T>, (u32, Fault)>
+        rest: impl Fn(u32, T) -> Fallible<R> + Sync,
+    ) -> Option<Vec<R>>
     where
         T: Copy + AddAssign + Send + Sync,
+        R: Clone + Send + Sync,
     {
-        let n_keys = self.starts.len() - 1;
-        let single = |[key, number]: [u32; 2]| match term(key, &table.rows()[number as usize]) {
-            Ok(value) => Ok(value),
-            Err(fault) => Err((key, fault)),
-        };
-        let group = |elements: &[u32; A]| match terms(*elements) {
-            Ok(values) => Ok(values),
-            Err(fault) => Err((elements[0], fault)),
-        };
-        if rayon::current_num_threads() == 1 || self.groups.len() < 2048 {
-            let mut sums = vec![zero; n_keys];
-            for elements in &self.groups {
-                let values = group(elements)?;
-                for (k, value) in self.keys.iter().zip(values) {
-                    sums[elements[*k] as usize] += value;
-                }
-            }
-            for &[key, number] in &self.singles {
-                sums[key as usize] += single([key, number])?;
-            }
-            return Ok(sums);
+        let mut sums = vec![zero; self.n_keys];
+        let is_parallel = is_parallel(self.n_keys);
+        if is_parallel {
+            // the larger the pieces, the fewer groups belong to two of them
+            let pieces = 4 * rayon::current_num_threads();
+            let piece = self.blocks.len().div_ceil(pieces).max(1);
+            sums.par_chunks_mut(piece * self.block_size)
+                .enumerate()
+                .map(|(k, sums)| {
+                    let blocks = k * piece..self.blocks.len().min((k + 1) * piece);
+                    self.add_terms(blocks, sums, table, (&touch, &terms), &term)
+                })
+                .reduce(|| Some(()), |a, b| a.and(b))?;
+        } else {
+            self.add_terms(
+                0..self.blocks.len(),
+                &mut sums,
+                table,
+                (&touch, &terms),
+                &term,
+            )?;
         }
-        let mut values = vec![zero; self.groups.len() * M + self.singles.len()];
-        let (grouped, rest) = values.split_at_mut(self.groups.len() * M);
-        grouped
-            .par_chunks_mut(M * 1024)
-            .zip(self.groups.par_chunks(1024))
-            .try_for_each(|(values, groups)| {
-                for (values, elements) in values.chunks_exact_mut(M).zip(groups) {
-                    values.copy_from_slice(&group(elements)?);
-                }
-                Ok(())
-            })?;
-        for (value, row) in rest.iter_mut().zip(&self.singles) {
-            *value = single(*row)?;
-        }
-        let sum = |key: usize| {
-            let places = &self.places[self.starts[key] as usize..self.starts[key + 1] as usize];
-            let mut sum = zero;
-            for place in places {
-                sum += values[*place as usize];
+        match &self.rank {
+            // the memory of the sums is used again
+            None if !is_parallel => {
+                let keys = sums.into_iter().enumerate();
+                keys.map(|(key, sum)| rest(key as u32, sum).ok()).collect()
             }
-            sum
-        };
-        Ok((0..n_keys)
-            .into_par_iter()
-            .with_min_len(1024)
-            .map(sum)
-            .collect())
+            None => for_each_element(self.n_keys, |key| rest(key, sums[key as usize])).ok(),
+            Some(rank) => for_each_element(self.n_keys, |key| {
+                rest(key, sums[rank[key as usize] as usize])
+            })
+            .ok(),
+        }
     }
-}
 
-/// The rank of each key in a breadth-first walk over keys that share a group.
-fn breadth_first<const A: usize, const M: usize>(
-    n_keys: usize,
-    groups: &[[u32; A]],
-    keys: &[usize; M],
-) -> Vec<u32> {
-    let mut starts = vec![0u32; n_keys + 1];
-    for group in groups {
-        for k in keys {
-            starts[group[*k] as usize + 1] += 1;
-        }
-    }
-    for k in 0..n_keys {
-        starts[k + 1] += starts[k];
-    }
-    let mut next = starts.clone();
-    let mut around = vec![0u32; starts[n_keys] as usize];
-    for (number, group) in (0u32..).zip(groups) {
-        for k in keys {
-            let slot = &mut next[group[*k] as usize];
-            around[*slot as usize] = number;
-            *slot += 1;
-        }
-    }
-    let mut rank = vec![u32::MAX; n_keys];
-    let mut queue: Vec<u32> = Vec::with_capacity(n_keys);
-    for start in 0..n_keys as u32 {
-        if rank[start as usize] != u32::MAX {
-            continue;
-        }
-        rank[start as usize] = queue.len() as u32;
-        let mut head = queue.len();
-        queue.push(start);
-        while head < queue.len() {
-            let key = queue[head] as usize;
-            head += 1;
-            for &group in &around[starts[key] as usize..starts[key + 1] as usize] {
-                for k in keys {
-                    let other = groups[group as usize][*k];
-                    if rank[other as usize] == u32::MAX {
-                        rank[other as usize] = queue.len() as u32;
-                        queue.push(other);
+    /// Adds the terms of the keys of some blocks. A group with keys in other blocks too is evaluated there again, so
+    /// that no two threads write to the same place.
+    #[inline(never)]
+    fn add_terms<const N: usize, T: Copy + AddAssign>(
+        &self,
+        blocks: Range<usize>,
+        sums: &mut [T],
+        table: &Table<N>,
+        (touch, terms): (
+            &impl Fn(&[u32; A]) -> u64,
+            &impl Fn([u32; A]) -> Fallible<[T; M]>,
+        ),
+        term: &impl Fn(u32, &[u32; N]) -> Fallible<T>,
+    ) -> Option<()> {
+        let first_key = blocks.start * self.block_size;
+        let before = |block: usize| match block.checked_sub(1) {
+            None => (0, 0),
+            Some(k) => (self.blocks[k].groups_end, self.blocks[k].singles_end),
+        };
+        let (start, singles_start) = before(blocks.start);
+        let (end, singles_end) = before(blocks.end);
+        for block in blocks {
+            let first = block * self.block_size;
+            let range = first..first + self.block_size;
+            let foreign = &self.blocks[block].foreign;
+            for &group in foreign.iter().take_while(|group| **group < start) {
+                let values = terms(self.groups[group as usize]).ok()?;
+                for (target, value) in self.targets_of(group as usize).into_iter().zip(values) {
+                    if range.contains(&(target as usize)) {
+                        sums[target as usize - first_key] += value;
                     }
                 }
             }
         }
+        let own = start as usize..end as usize;
+        // keys of other pieces are beyond the end, those before the first one by wrapping around
+        let mut add = |targets: [u32; M], values: [T; M]| {
+            for (target, value) in targets.into_iter().zip(values) {
+                if let Some(sum) = sums.get_mut((target as usize).wrapping_sub(first_key)) {
+                    *sum += value;
+                }
+            }
+        };
+        match &self.targets {
+            None => {
+                for group in &self.groups[own] {
+                    add(self.keys.map(|k| group[k]), terms(*group).ok()?);
+                }
+            }
+            Some(targets) => {
+                let groups = self.groups[own.clone()].chunks(BATCH);
+                for (groups, targets) in groups.zip(targets[own].chunks(BATCH)) {
+                    // read at once what comes from all over memory, so that the reads do not wait for each other
+                    black_box(groups.iter().fold(0, |all, group| all ^ touch(group)));
+                    for (group, targets) in groups.iter().zip(targets) {
+                        add(*targets, terms(*group).ok()?);
+                    }
+                }
+            }
+        }
+        for &[key, number] in &self.singles[singles_start as usize..singles_end as usize] {
+            let target = self.rank.as_ref().map_or(key, |rank| rank[key as usize]);
+            sums[target as usize - first_key] += term(key, &table.rows()[number as usize]).ok()?;
+        }
+        Some(())
     }
-    rank
+
+    #[inline]
+    fn targets_of(&self, group: usize) -> [u32; M] {
+        match &self.targets {
+            None => self.keys.map(|k| self.groups[group][k]),
+            Some(targets) => targets[group],
+        }
+    }
+}
+
+fn first_rank<const A: usize, const M: usize>(
+    rank: &[u32],
+    group: &[u32; A],
+    keys: &[usize; M],
+) -> u32 {
+    let ranks = keys.iter().map(|k| rank[group[*k] as usize]);
+    ranks.min().unwrap_or(0)
 }

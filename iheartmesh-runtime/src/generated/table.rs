@@ -35,6 +35,12 @@ impl<const N: usize> Dense<N> {
         &self.rows[element]
     }
 
+    /// The rows of consecutive elements.
+    #[inline(always)]
+    pub fn rows(&self, elements: std::ops::Range<usize>) -> &[[u32; N]] {
+        &self.rows[elements]
+    }
+
     /// All elements with their rows.
     #[inline]
     pub fn enumerate(&self) -> impl Iterator<Item = (u32, &[u32; N])> {

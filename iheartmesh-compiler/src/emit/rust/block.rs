@@ -30,6 +30,8 @@ pub(super) struct Body<'a> {
     pub(super) placement: Placement,
     /// Expressions that have a name.
     pub(super) names: BTreeMap<ExprId, Ident>,
+    /// Calls whose values are at hand.
+    pub(super) calls: BTreeMap<ExprId, TokenStream>,
     /// How variables are written, where not by their own name.
     pub(super) variables: BTreeMap<VariableId, TokenStream>,
 }
@@ -49,6 +51,7 @@ impl<'a> Body<'a> {
             plan,
             placement,
             names: BTreeMap::new(),
+            calls: BTreeMap::new(),
             variables: BTreeMap::new(),
         }
     }
@@ -185,6 +188,10 @@ impl<'a> Body<'a> {
         };
         let ty = self.ty(e);
         let (start, finish) = self.accumulator(e, *op, ty, *body == self.variable_expr(*variable));
+        let locals = match range {
+            Range::Rows => self.bind_locals(*variable),
+            _ => TokenStream::new(),
+        };
         let head = self.loop_head(*variable, range);
         let outside = self.placement.part(e, Part::Loop);
         let before = self.statements(outside, &[]);
@@ -201,7 +208,7 @@ impl<'a> Body<'a> {
                 quote!(#before if #condition { #statements #step })
             }
         };
-        quote!({ #start #head { #inside } #finish })
+        quote!({ #start #locals #head { #inside } #finish })
     }
 
     fn variable_expr(&self, variable: VariableId) -> ExprId {
@@ -452,7 +459,12 @@ impl<'a> Body<'a> {
                         let number = number_name(variable);
                         quote!(for (#number, #row) in s.plans.#table.enumerate_rows_of(#parent))
                     }
-                    false => quote!(for #row in s.plans.#table.rows_of(#parent)),
+                    false => self.with_slots(
+                        variable,
+                        quote!(#row),
+                        quote!(s.plans.#table.rows_of(#parent)),
+                        &parent,
+                    ),
                 }
             }
             Rows::Key(_) => panic!("bug in iheartmesh: a loop over the key of a plan"),

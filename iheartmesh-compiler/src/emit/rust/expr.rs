@@ -98,6 +98,10 @@ impl Body<'_> {
                 match self.ty(e) {
                     Type::Element(_) => quote!(s.#field.id()),
                     ty if is_copy(ty) => quote!(s.#field),
+                    ty if !self.context.is_same_outside(ty) && super::item::is_converted(ty) => {
+                        let value = self.context.to_inner(quote!(s.#field.as_ref()), ty);
+                        quote!((#value))
+                    }
                     // a local name, see `prelude`
                     Type::Sequence { .. } => quote!(#field.to_vec()),
                     ty if ty.element_of_set().is_some() => {
@@ -118,6 +122,7 @@ impl Body<'_> {
                 }
             }
             Kind::Column(..) => self.column(e),
+            Kind::Call(..) if self.calls.contains_key(&e) => self.calls[&e].clone(),
             Kind::Call(id, arguments) => {
                 let name = self.context.function_name(*id);
                 let first = match self.context.is_static_function(*id) {
@@ -267,9 +272,11 @@ impl Body<'_> {
             let site = self.context.site(e);
             quote!(*rt::entry(&#base[..], #place, #site)?)
         };
-        match copy {
-            true => found,
-            false => quote!((#found).clone()),
+        match (self.kind(sequence), copy) {
+            // the host's items
+            (Kind::Input(_), true) if self.ty(e).is_element() => quote!((#found).id()),
+            (_, true) => found,
+            (_, false) => quote!((#found).clone()),
         }
     }
 

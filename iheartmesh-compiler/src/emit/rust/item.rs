@@ -372,8 +372,23 @@ impl Context<'_> {
             Some(staged) => {
                 let prelude = self.prelude(&[staged.body]);
                 let row = self.key_row(&staged.plan);
+                let key = function
+                    .parameters
+                    .first()
+                    .map(|p| variable_ident(self, p.variable));
                 let body = Body::single(self, Mode::Dynamic, &staged.plan, staged.body);
                 let whole = self.whole(id, staged).map(|(_, code)| code);
+                if let Some((table, row, n)) = self.row_of_function(id) {
+                    let of_row = self.row_function_name(id);
+                    return quote! {
+                        #[inline]
+                        pub fn #of_row(s: &State<'_>, #row: &[u32; #n]) -> rt::Fallible<#ty> { #prelude #body }
+                        pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> {
+                            #of_row(s, s.plans.#table.row(#key as usize))
+                        }
+                        #whole
+                    };
+                }
                 quote! {
                     pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #prelude #row #body }
                     #whole
@@ -451,6 +466,7 @@ impl Context<'_> {
             let field = self.input_field(id);
             let value = held_value(&input.ty, quote!(value));
             let check = self.check(id, input, true);
+            let updates = self.size_updates(id, input);
             // other inputs are at hand for the check
             let others = self
                 .values()
@@ -472,6 +488,7 @@ impl Context<'_> {
                     #(#others)*
                     #check
                 }
+                { use #krate::__private as rt; #updates }
                 self.state.#field = #field;
                 #(self.state.#caches = ::std::sync::OnceLock::new();)*
                 ::std::result::Result::Ok(())

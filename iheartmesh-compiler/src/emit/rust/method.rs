@@ -164,6 +164,12 @@ impl Context<'_> {
             .map(|p| {
                 let name = names::ident(&names::rust_name(&p.name));
                 let (called, written, set) = (&function.name, &p.name, &p.within_name);
+                if let Some(members) = self.all_elements(p) {
+                    return match p.ty.is_element() {
+                        true => quote!(rt::check_member(#called, #written, #name, #members, #set)?;),
+                        false => quote!(rt::check_members(#called, #written, #name.as_ref(), #members, #set)?;),
+                    };
+                }
                 match (&p.ty, p.ty.element_of_set()) {
                     (Type::Element(element), _) => {
                         let n = self.count(*element);
@@ -250,11 +256,9 @@ impl Context<'_> {
                 (name, self.parameter_type(&p.ty, &quote!('b)))
             })
             .unzip();
-        let lifetime = match function
-            .parameters
-            .iter()
-            .any(|p| super::item::is_converted(&p.ty))
-        {
+        // a lifetime inside of `impl Into<…>` must have a name
+        let converted = |p: &Parameter| super::item::is_converted(&p.ty);
+        let lifetime = match function.parameters.iter().any(converted) {
             true => quote!(<'b>),
             false => TokenStream::new(),
         };
@@ -271,7 +275,7 @@ impl Context<'_> {
             #doc
             #[inline]
             #[track_caller]
-            pub fn #method #lifetime(&self #(, #parameters: #arguments)*) -> #outer {
+            pub fn #method #lifetime (&self #(, #parameters: #arguments)*) -> #outer {
                 match self.#fallible(#(#parameters),*) {
                     ::std::result::Result::Ok(value) => value,
                     ::std::result::Result::Err(error) => #krate::__private::fail(error),
@@ -279,7 +283,7 @@ impl Context<'_> {
             }
             #try_doc
             #[inline]
-            pub fn #fallible #lifetime(&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
+            pub fn #fallible #lifetime (&self #(, #parameters: #arguments)*) -> ::std::result::Result<#outer, #krate::Error> {
                 use #krate::__private as rt;
                 let s = &self.state;
                 let t = &s.topology;

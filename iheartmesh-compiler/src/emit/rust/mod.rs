@@ -9,6 +9,7 @@ mod block;
 mod docs;
 mod expr;
 mod item;
+mod local;
 mod method;
 pub mod names;
 mod orbit;

@@ -1,6 +1,6 @@
 //! Evaluation of a function for all elements at once: fields and orbits.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -89,7 +89,8 @@ impl Context<'_> {
             Some(orbit) => {
                 let orbits = self.orbit_name(id);
                 let functions = self.orbit_functions(id, staged, orbit, &parameters);
-                let (terms, single, rest) = (
+                let (touch, terms, single, rest) = (
+                    format_ident!("touch{}", id.0),
                     format_ident!("terms{}", id.0),
                     format_ident!("term{}", id.0),
                     format_ident!("rest{}", id.0),
@@ -104,13 +105,18 @@ impl Context<'_> {
                             return rt::for_each_element(#n, |v| #each(s, v));
                         };
                         #prepare
-                        let sums = orbits.sums(
+                        match orbits.values(
                             &s.plans.#table,
                             #zero,
+                            |elements| #touch(s, elements #arguments),
                             |elements| #terms(s, elements #arguments),
                             |key, row| #single(s, key, row #arguments),
-                        )?;
-                        rt::for_each_element(#n, |v| #rest(s, v, sums[v as usize] #arguments))
+                            |key, sum| #rest(s, key, sum #arguments),
+                        ) {
+                            ::std::option::Option::Some(values) => ::std::result::Result::Ok(values),
+                            // for the first element that has no value
+                            ::std::option::Option::None => rt::for_each_element(#n, |v| #each(s, v)),
+                        }
                     }
                 }
             }
@@ -200,6 +206,45 @@ impl Context<'_> {
         }
     }
 
+    /// The values of inputs and fields that the terms of a group read.
+    fn touched(&self, orbit: &Orbit) -> Vec<TokenStream> {
+        let arena = &self.program().arena;
+        let element = |e| match arena.kind(e) {
+            Kind::Variable(v) => orbit.elements.iter().position(|other| other == v),
+            _ => None,
+        };
+        let is_small = |ty: &Type| match ty.fixed_vector() {
+            Some(n) => (2..=4).contains(&n),
+            None => matches!(ty, Type::Scalar(_)),
+        };
+        let mut found = BTreeSet::new();
+        for term in &orbit.terms {
+            crate::optimize::reachable(arena, *term, &mut |kind| match *kind {
+                Kind::Item(sequence, index) => {
+                    if let (Kind::Input(id), Some(k)) = (arena.kind(sequence), element(index))
+                        && let Type::Sequence { item, .. } = &self.program().input(*id).ty
+                        && is_small(item)
+                    {
+                        found.insert((self.input_field(*id), k));
+                    }
+                }
+                Kind::Field(id, index) => {
+                    if let Some(k) = element(index)
+                        && is_small(&self.program().function(id).ty)
+                    {
+                        found.insert((field_name(id), k));
+                    }
+                }
+                _ => {}
+            });
+        }
+        let values = found.into_iter().map(|(values, k)| {
+            let k = Literal::usize_unsuffixed(k);
+            quote!(#values[elements[#k] as usize])
+        });
+        values.collect()
+    }
+
     /// The terms of a group, of a single row, and what is done with the sum.
     fn orbit_functions(
         &self,
@@ -238,8 +283,18 @@ impl Context<'_> {
             .collect::<BTreeMap<_, _>>();
         let statements = body.statements(RegionId(region), &orbit.terms);
         let results: Vec<TokenStream> = orbit.terms.iter().map(|t| body.owned(*t)).collect();
+        let touched = self.touched(orbit);
+        let touch = format_ident!("touch{}", id.0);
         let prelude = self.prelude(&orbit.terms);
+        let touch_code = quote! {
+            #[inline(always)]
+            fn #touch(s: &State<'_>, elements: &[u32; #n_elements] #parameters) -> u64 {
+                #prelude
+                0u64 #(^ rt::touch(&#touched))*
+            }
+        };
         let terms_code = quote! {
+            #[inline(always)]
             fn #terms(s: &State<'_>, elements: [u32; #n_elements] #parameters) -> rt::Fallible<[#value; #n_members]> {
                 #prelude #statements
                 ::std::result::Result::Ok([#(#results),*])
@@ -264,8 +319,10 @@ impl Context<'_> {
         let key_row = self.key_row(plan);
         let rest_code = Body::single(self, Mode::Dynamic, plan, orbit.rest);
         quote! {
+            #touch_code
             #terms_code
             #single_code
+            #[inline(always)]
             fn #rest(s: &State<'_>, #key: u32, #sum: #value #parameters) -> rt::Fallible<#result> {
                 #prelude #key_row #rest_code
             }

@@ -38,6 +38,9 @@ impl Context<'_> {
             }
         }
         for (id, staged) in &staged.functions {
+            for local in &staged.plan.locals {
+                self.local_plan(local, &mut code);
+            }
             if let Some(orbit) = staged.whole.as_ref().and_then(|w| w.orbit.as_ref()) {
                 self.orbit_plan(*id, &staged.plan, orbit, &mut code);
             }

@@ -149,6 +149,40 @@ impl Context<'_> {
         }
     }
 
+    /// Whether no other input has the symbols of a size.
+    fn is_alone(&self, dimension: &Dimension, id: InputId) -> bool {
+        let of = |d: &Dimension| {
+            d.terms()
+                .flat_map(|(_, atoms)| atoms.to_vec())
+                .collect::<BTreeSet<_>>()
+        };
+        let own = of(dimension);
+        self.values()
+            .filter(|(other, _)| *other != id)
+            .all(|(other, input)| {
+                self.axes(other, input)
+                    .iter()
+                    .all(|axis| of(&axis.dimension).is_disjoint(&own))
+            })
+    }
+
+    /// The sizes that change with new values of an input: those that only it has.
+    pub(super) fn size_updates(&self, id: InputId, input: &Input) -> TokenStream {
+        self.axes(id, input)
+            .into_iter()
+            .filter(|axis| self.is_alone(&axis.dimension, id))
+            .filter_map(|axis| match axis.dimension.as_atom() {
+                Some(atom @ (Atom::Symbol(name) | Atom::Length(name)))
+                    if self.size_source(atom) == Some(id) =>
+                {
+                    let (field, found) = (self.size_field(atom, name), axis.found);
+                    Some(quote!(self.state.sizes.#field = #found;))
+                }
+                _ => None,
+            })
+            .collect()
+    }
+
     /// Checks that an input has the sizes that it is declared with. `again` after construction, when sizes are fixed.
     pub(super) fn size_checks(&self, id: InputId, input: &Input, again: bool) -> TokenStream {
         let name = &input.name;
@@ -175,7 +209,7 @@ impl Context<'_> {
             let (what, written) = (axis.what, axis.dimension.to_string());
             let source_name =
                 source.map_or(String::new(), |s| self.program().input(s).name.clone());
-            if !is_source || again {
+            if !(is_source && (!again || self.is_alone(&axis.dimension, id))) {
                 let found = &axis.found;
                 checks.extend(quote!(rt::check_size(#name, #what, #found, #expected, #written, #source_name)?;));
             }
