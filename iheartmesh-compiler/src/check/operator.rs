@@ -1,10 +1,11 @@
 //! Operators: which operands they take and what they give.
 
 use super::Checker;
+use super::wording::{KINDS, NOT_NUMBERS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
-use crate::span::Span;
-use crate::syntax::ast::{BinaryOp, Expr, NormSubscript, UnaryOp};
+use crate::syntax::ast::{BinaryOp, Expr, ExprKind, NormSubscript, UnaryOp};
+use crate::types::display::plural;
 use crate::types::{Number, Type};
 
 impl<'a> Checker<'a> {
@@ -50,11 +51,16 @@ impl<'a> Checker<'a> {
                     UnaryOp::PseudoInverse => ("take the pseudo-inverse of", "matrices"),
                     UnaryOp::Size => ("take the size of", "sets, sequences, vectors and matrices"),
                 };
-                self.report(
-                    Diagnostic::error(e.span, format!("cannot {name} {ty}"))
-                        .label(operand.span, format!("this is {ty}"))
-                        .help(format!("it is defined for {takes}")),
-                )
+                let help = match ty.is_element() {
+                    true => NOT_NUMBERS.to_owned(),
+                    false => format!("only {takes} have this operation"),
+                };
+                let message = format!("cannot {name} {}", ty.described());
+                let diagnostic = Diagnostic::error(e.span, message)
+                    .label(operand.span, format!("this is {}", ty.described()))
+                    .help(help);
+                let diagnostic = self.with_origins(diagnostic, &[operand]);
+                self.report(diagnostic)
             }
         }
     }
@@ -114,7 +120,7 @@ impl<'a> Checker<'a> {
     ) -> ExprId {
         let a = self.expr(left);
         let b = self.expr(right);
-        if self.is_error(a) || self.is_error(b) {
+        if self.is_wrong(a) || self.is_wrong(b) {
             return self.error();
         }
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
@@ -142,7 +148,13 @@ impl<'a> Checker<'a> {
                     let ty = self.ty(a).clone();
                     self.add(Kind::Binary(Binary::Divide, a, b), ty)
                 }
-                _ => self.mismatch(sides, "divide", "by", &ta, &tb, "the right side of `/` is a number"),
+                (Type::Element(_), _) | (_, Type::Element(_)) => {
+                    self.mismatch(sides, "divide", "by", &ta, &tb, NOT_NUMBERS)
+                }
+                (_, Type::Scalar(_)) => {
+                    self.mismatch(sides, "divide", "by", &ta, &tb, "numbers and vectors can be divided by a number")
+                }
+                _ => self.mismatch(sides, "divide", "by", &ta, &tb, "only a number can stand below; `‖u‖` is the length of a vector `u`"),
             },
             BinaryOp::Power => match (&ta, &tb) {
                 (Type::Scalar(_), Type::Scalar(_)) => {
@@ -152,7 +164,7 @@ impl<'a> Checker<'a> {
                 _ => self.mismatch(
                     sides,
                     "raise",
-                    "to the power",
+                    "to the power of",
                     &ta,
                     &tb,
                     "powers are defined for numbers and square matrices; write `‖u‖²` or `u⋅u` for a vector `u`",
@@ -176,6 +188,8 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The operands do not fit. What is taken `from` something stands on the right.
+    #[track_caller]
     fn mismatch(
         &mut self,
         sides: Sides<'a>,
@@ -185,22 +199,24 @@ impl<'a> Checker<'a> {
         b: &Type,
         help: &str,
     ) -> ExprId {
-        self.report(
-            Diagnostic::error(
-                sides.left.span,
-                format!("cannot {verb} {a} {preposition} {b}"),
-            )
-            .here(format!("this is {a}"))
-            .label(sides.right.span, format!("this is {b}"))
-            .help(help),
-        )
+        let (left, right) = self.described_both(a, b);
+        let message = match preposition {
+            "from" => format!("cannot {verb} {right} {preposition} {left}"),
+            _ => format!("cannot {verb} {left} {preposition} {right}"),
+        };
+        let diagnostic = Diagnostic::error(sides.left.span, message)
+            .here(format!("this is {left}"))
+            .label(sides.right.span, format!("this is {right}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[sides.left, sides.right]);
+        self.report(diagnostic)
     }
 
     fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition) = match op {
             Binary::Add => ("add", "and"),
-            _ => ("subtract, from", "this:"),
+            _ => ("subtract", "from"),
         };
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
@@ -211,23 +227,34 @@ impl<'a> Checker<'a> {
             (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if ta == tb => {
                 self.add(Kind::Binary(op, a, b), ta)
             }
-            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+            (Type::Element(_), _) | (_, Type::Element(_)) => {
+                self.mismatch(sides, verb, preposition, &ta, &tb, NOT_NUMBERS)
+            }
+            (Type::Scalar(_), Type::Vector { .. }) | (Type::Vector { .. }, Type::Scalar(_)) => self
+                .mismatch(
+                    sides,
+                    verb,
+                    preposition,
+                    &ta,
+                    &tb,
+                    "a number and a vector have no sum; `‖u‖` is the length of a vector `u`",
+                ),
+            (Type::Vector { .. }, Type::Vector { .. }) => self.mismatch(
                 sides,
                 verb,
                 preposition,
                 &ta,
                 &tb,
-                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+                "both vectors must have the same length",
             ),
-            (Type::Scalar(_), Type::Vector { .. }) | (Type::Vector { .. }, Type::Scalar(_)) => self.mismatch(
+            _ => self.mismatch(
                 sides,
                 verb,
                 preposition,
                 &ta,
                 &tb,
-                "a number and a vector have no sum; `‖u‖` is the length of a vector `u`",
+                "both sides must have the same type and size",
             ),
-            _ => self.mismatch(sides, verb, preposition, &ta, &tb, "both sides must have one type and size"),
         }
     }
 
@@ -247,9 +274,20 @@ impl<'a> Checker<'a> {
                 let b = self.real(b);
                 self.add(Kind::Binary(Binary::Multiply, b, a), ta)
             }
-            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot && ta == tb => {
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. })
+                if dot && ta == tb =>
+            {
                 self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL)
             }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot => self
+                .mismatch(
+                    sides,
+                    "take the dot product of",
+                    "and",
+                    &ta,
+                    &tb,
+                    "both vectors must have the same length",
+                ),
             (Type::Vector { .. }, Type::Vector { .. }) if !dot => self.mismatch(
                 sides,
                 "multiply",
@@ -267,18 +305,12 @@ impl<'a> Checker<'a> {
                     space: Some(space), ..
                 },
             ) => {
-                if columns.mesh != space.mesh {
-                    return self.owners(sides, *columns, *space);
-                }
                 if columns != space {
-                    return self.mismatch(
-                        sides,
-                        "multiply",
-                        "and",
-                        &ta,
-                        &tb,
-                        "the columns of the matrix and the entries of the chain must stand for the same elements",
-                    );
+                    let help = match columns.mesh == space.mesh {
+                        true => format!("this matrix takes chains of {}", plural(columns.kind)),
+                        false => ONE_MESH.to_owned(),
+                    };
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
                 }
                 let Kind::Boundary(boundary) = self.program.arena.kind(a).clone() else {
                     return self.unsupported(sides.left.span, "this product is");
@@ -296,24 +328,28 @@ impl<'a> Checker<'a> {
                 },
             ) => {
                 if columns.mesh != rows.mesh {
-                    return self.owners(sides, *columns, *rows);
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
                 }
-                let (left, right) = (sides.left.span, sides.right.span);
-                self.report(
-                    Diagnostic::error(left, "products of two boundary matrices are not supported yet")
-                        .label(right, format!("this is a {tb}"))
-                        .help("parenthesise the product of a matrix and a chain, as in `B (C δ)`"),
+                let diagnostic = Diagnostic::error(
+                    sides.e.span,
+                    "products of two boundary matrices are not supported yet",
                 )
+                .label(sides.left.span, format!("this is {}", ta.described()))
+                .label(sides.right.span, format!("this is {}", tb.described()))
+                .help("multiply the matrix on the right and the chain first, as in `B (C δ)`");
+                self.report(diagnostic)
             }
-            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+            (Type::Element(_), _) | (_, Type::Element(_)) => {
+                self.mismatch(sides, "multiply", "and", &ta, &tb, NOT_NUMBERS)
+            }
+            _ => self.mismatch(
                 sides,
                 "multiply",
                 "and",
                 &ta,
                 &tb,
-                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+                "numbers, vectors and matrices have products, sets and tuples have none",
             ),
-            _ => self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit"),
         }
     }
 
@@ -334,42 +370,19 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Values of two meshes that meet.
-    fn owners(
-        &mut self,
-        sides: Sides<'a>,
-        a: crate::types::Element,
-        b: crate::types::Element,
-    ) -> ExprId {
-        let (ma, mb) = (self.mesh_name(a.mesh), self.mesh_name(b.mesh));
-        self.report(
-            Diagnostic::error(
-                sides.e.span,
-                format!("elements of `{ma}` and of `{mb}` do not go together"),
-            )
-            .label(sides.left.span, format!("this is of `{ma}`"))
-            .label(sides.right.span, format!("this is of `{mb}`"))
-            .help("elements, sets and matrices of one expression must belong to one mesh"),
-        )
-    }
-
-    pub(super) fn mesh_name(&self, mesh: crate::types::MeshId) -> String {
-        self.program.mesh(mesh).name.clone()
-    }
-
     fn set_operation(&mut self, sides: Sides<'a>, op: SetOp, a: ExprId, b: ExprId) -> ExprId {
         let (mut ta, mut tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition, sign) = match op {
             SetOp::Union => ("unite", "and", "∪"),
             SetOp::Intersection => ("intersect", "and", "∩"),
-            SetOp::Difference => ("subtract, from", "this:", "-"),
+            SetOp::Difference => ("subtract", "from", "-"),
         };
         let (mut a, mut b) = (a, b);
         // an empty literal takes the type of the other side
-        if self.is_empty_set(a) {
+        if self.is_empty_set(a) && matches!(tb, Type::Set(_)) {
             ta = tb.clone();
             a = self.add(Kind::Set(Vec::new()), ta.clone());
-        } else if self.is_empty_set(b) {
+        } else if self.is_empty_set(b) && matches!(ta, Type::Set(_)) {
             tb = ta.clone();
             b = self.add(Kind::Set(Vec::new()), tb.clone());
         }
@@ -377,29 +390,28 @@ impl<'a> Checker<'a> {
             (Type::Set(x), Type::Set(y)) if x == y => self.add(Kind::SetOp(op, a, b), ta),
             (Type::Set(x), Type::Set(y)) => match (&**x, &**y) {
                 (Type::Element(x), Type::Element(y)) if x.mesh != y.mesh => {
-                    self.owners(sides, *x, *y)
+                    self.mismatch(sides, verb, preposition, &ta, &tb, ONE_MESH)
                 }
-                (Type::Element(_), Type::Element(_)) => self.mismatch(
-                    sides,
-                    verb,
-                    preposition,
-                    &ta,
-                    &tb,
-                    "vertices, edges, faces and cells are different kinds of elements",
-                ),
+                (Type::Element(_), Type::Element(_)) => {
+                    self.mismatch(sides, verb, preposition, &ta, &tb, KINDS)
+                }
                 _ => self.mismatch(
                     sides,
                     verb,
                     preposition,
                     &ta,
                     &tb,
-                    "both sets must have members of one type",
+                    "the members of both sets must have the same type",
                 ),
             },
             (Type::Set(item), other) if **item == *other => {
+                let member = match &sides.right.kind {
+                    ExprKind::Name(name) => name.text.as_str(),
+                    ExprKind::Integer(_) => "1",
+                    _ => "…",
+                };
                 let help = format!(
-                    "write `… {sign} {{{}}}` for the set with this one member",
-                    "a"
+                    "`{{{member}}}` is the set with this one member: `… {sign} {{{member}}}`"
                 );
                 self.mismatch(sides, verb, preposition, &ta, &tb, &help)
             }
@@ -449,39 +461,43 @@ impl<'a> Checker<'a> {
             (Type::Vector { space: None, .. }, true) | (Type::Matrix { .. }, _) => {
                 self.unsupported(e.span, "this norm is")
             }
-            (Type::Vector { .. }, false) => self.bars(
-                e.span,
-                &ty,
-                operand.span,
-                "write `‖u‖` for the length of a vector",
-            ),
+            (Type::Vector { .. }, false) => {
+                self.bars(e, &ty, operand, "write `‖u‖` for the length of a vector")
+            }
             (Type::Scalar(_), true) => self.bars(
-                e.span,
+                e,
                 &ty,
-                operand.span,
+                operand,
                 "write `|a|` for the absolute value of a number",
             ),
             (Type::Set(_), true) => self.bars(
-                e.span,
+                e,
                 &ty,
-                operand.span,
+                operand,
                 "write `|S|` for the number of members of a set",
             ),
+            (Type::Element(_), _) => self.bars(e, &ty, operand, NOT_NUMBERS),
             _ => self.bars(
-                e.span,
+                e,
                 &ty,
-                operand.span,
+                operand,
                 "bars are defined for numbers, vectors, matrices, sets and sequences",
             ),
         }
     }
 
-    fn bars(&mut self, span: Span, ty: &Type, operand: Span, help: &str) -> ExprId {
-        self.report(
-            Diagnostic::error(span, format!("these bars are not defined for {ty}"))
-                .label(operand, format!("this is {ty}"))
-                .help(help),
-        )
+    #[track_caller]
+    fn bars(&mut self, e: &'a Expr, ty: &Type, operand: &'a Expr, help: &str) -> ExprId {
+        let bars = match &e.kind {
+            ExprKind::Norm { double: true, .. } => "‖…‖",
+            _ => "|…|",
+        };
+        let message = format!("`{bars}` has no meaning for {}", ty.described());
+        let diagnostic = Diagnostic::error(e.span, message)
+            .label(operand.span, format!("this is {}", ty.described()))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[operand]);
+        self.report(diagnostic)
     }
 
     pub(super) fn inner(
@@ -510,7 +526,7 @@ impl<'a> Checker<'a> {
             "and",
             &ta,
             &tb,
-            "both sides must be vectors of one length",
+            "both sides must be vectors of the same length",
         )
     }
 }
