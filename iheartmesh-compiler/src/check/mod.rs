@@ -13,6 +13,7 @@ mod define;
 mod expr;
 mod fold;
 mod function;
+mod norm;
 mod operator;
 mod scope;
 mod set;
