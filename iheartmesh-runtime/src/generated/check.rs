@@ -94,15 +94,16 @@ pub fn check_cellular_set(
     parameter: &str,
     set: &CellularSet,
     complex: &CellComplex,
+    mesh: &str,
 ) -> Result<(), Error> {
     let n = |dimension| match dimension <= complex.dimension() {
         true => complex.n(dimension),
         false => 0,
     };
-    check_set_argument(function, parameter, &set.vertices, n(0), "the mesh")?;
-    check_set_argument(function, parameter, &set.edges, n(1), "the mesh")?;
-    check_set_argument(function, parameter, &set.faces, n(2), "the mesh")?;
-    check_set_argument(function, parameter, &set.cells, n(3), "the mesh")
+    check_set_argument(function, parameter, &set.vertices, n(0), mesh)?;
+    check_set_argument(function, parameter, &set.edges, n(1), mesh)?;
+    check_set_argument(function, parameter, &set.faces, n(2), mesh)?;
+    check_set_argument(function, parameter, &set.cells, n(3), mesh)
 }
 
 #[cold]

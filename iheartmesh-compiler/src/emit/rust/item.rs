@@ -8,10 +8,10 @@ use quote::{format_ident, quote};
 use super::block::{Body, Mode, variable_ident};
 use super::{Context, Header, docs, names};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::ir::{Export, ExprId, FunctionId, GlobalId, Input, InputId, Kind};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, InputId, Kind};
 use crate::optimize::Plan;
 use crate::span::Span;
-use crate::types::{Atom, Element, Type};
+use crate::types::Type;
 
 /// All items of a program.
 pub(super) fn items(
@@ -214,7 +214,7 @@ impl Context<'_> {
             .chain(&changing)
             .map(|id| self.compute(*id))
             .collect();
-        let checks = self.values().map(|(id, input)| self.check(id, input));
+        let checks = self.values().map(|(id, input)| self.input_checks(id, input, false));
         quote! {
             pub struct Topology<'a> {
                 #(pub #mesh_names: &'a #krate::#mesh_types,)*
@@ -400,51 +400,6 @@ impl Context<'_> {
         }
     }
 
-    /// Checks an input, which is at hand under its field's name, against the meshes and the inputs before it.
-    pub(super) fn check(&self, id: InputId, input: &Input) -> TokenStream {
-        let field = self.input_field(id);
-        let name = &input.name;
-        let mut checks = TokenStream::new();
-        if let Type::Element(element) = input.ty {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_element(#name, #field, #n, #mesh)?;));
-        }
-        if let Some(element) = input.ty.element_of_set() {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_set(#name, #field.as_ref(), #n, #mesh)?;));
-        }
-        if let Type::Sequence { length, index, .. } = &input.ty {
-            let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
-            let indexed: BTreeSet<Element> = indexed.into_iter().collect();
-            let exact = indexed.len() == 1;
-            for element in indexed {
-                let n = self.count(element);
-                let mesh = &self.program().mesh(element.mesh).name;
-                let kind = crate::types::display::plural(element.kind);
-                checks.extend(
-                    quote!(rt::check_length(#name, #field.as_ref().len(), #n, #exact, #mesh, #kind)?;),
-                );
-            }
-            if let Some(Atom::Length(_)) = length.as_atom() {
-                let first = self.values().find(|(other, other_input)| {
-                    *other != id && matches!(&other_input.ty, Type::Sequence { length: l, .. } if l == length)
-                });
-                // each is compared with the first of its letter, and the first with the second
-                if let Some((other, other_input)) = first
-                    && other < id
-                {
-                    let (other, other_name) = (self.input_field(other), &other_input.name);
-                    checks.extend(quote! {
-                        rt::check_same_length(#other_name, #other.as_ref().len(), #name, #field.as_ref().len())?;
-                    });
-                }
-            }
-        }
-        checks
-    }
-
     /// The methods that set new values.
     fn setters(&self, rust_names: &mut RustNames<'_>) -> TokenStream {
         let krate = self.krate;
@@ -464,7 +419,7 @@ impl Context<'_> {
                 true => quote!(value.into()),
                 false => quote!(value),
             };
-            let check = self.check(id, input);
+            let check = self.input_checks(id, input, true);
             // other inputs are at hand for the check
             let others = self
                 .values()
