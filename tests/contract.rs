@@ -3,7 +3,6 @@
 // the tests call methods by their Greek names too
 #![allow(mixed_script_confusables, uncommon_codepoints)]
 
-use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use iheartmesh::glam::DVec3;
@@ -370,8 +369,10 @@ fn modules_without_a_mesh() {
     p.set_a(2.0).unwrap();
     assert_eq!((p.z(), p.ret()), (5.0, 13.0));
     p.set_c(Vec::new()).unwrap();
-    assert!(p.try_g(1.0, 1).is_err());
-    println!("{}", p.try_g(1.0, 1).unwrap_err());
+    assert_eq!(
+        p.try_g(1.0, 1).unwrap_err().to_string().split(" (").next(),
+        Some("`g(1, 1)` has no value: the sequence has no item of this number in `c_1`")
+    );
 }
 
 #[test]
@@ -381,5 +382,4 @@ fn the_source_is_there() {
         Sets::SOURCE.starts_with('\n')
             && Sets::SOURCE.contains("ball(S ∪ VertexOneRing(S), k-1) otherwise")
     );
-    assert!(TAU > 6.0);
 }

@@ -4,7 +4,7 @@
 mod support;
 
 use iheartmesh::neighborhoods::Neighborhoods;
-use iheartmesh::{Edge, Face, FaceMesh, Set, Vertex};
+use iheartmesh::{CellularSet, Edge, Face, FaceMesh, Set, Vertex};
 
 both_ways! {
     Program, PlainProgram = "tests/programs/neighborhoods.hlang";
@@ -131,6 +131,14 @@ fn what_is_missing_is_said() {
         (
             rust.try_Edges(Set::from([v(1), v(9)])).err(),
             "parameter `S` of `Edges` is vertex 9, which is not in `V` (4 members)",
+        ),
+        (
+            rust.try_Faces(CellularSet {
+                faces: Set::from([Face::new(7)]),
+                ..CellularSet::default()
+            })
+            .err(),
+            "parameter `S` of `Faces` is face 7, which is not in `M` (2 members)",
         ),
     ] {
         assert_eq!(error.unwrap().to_string(), expected);

@@ -4,7 +4,10 @@
 
 mod diagnostics_support;
 
-use diagnostics_support::{files, folder, outcome, parse, print, read, shown};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use diagnostics_support::{all_cases, files, folder, origins, outcome, parse, print, read, shown};
 use expect_test::{Expect, expect};
 use iheartmesh_compiler::source::Source;
 use iheartmesh_compiler::span::SourceId;
@@ -49,22 +52,77 @@ fn types() {
     check_folder("check");
 }
 
+/// Every place that makes a message is reached by a case: those that say what is not supported yet excepted.
+#[test]
+fn every_message_has_a_case() {
+    let mut reached = BTreeSet::new();
+    for (_, case) in all_cases() {
+        reached.extend(origins(&case.outcome().diagnostics));
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut missing = Vec::new();
+    for stage in ["resolve", "check"] {
+        let entries = std::fs::read_dir(root.join("src").join(stage)).expect("the stage's folder");
+        let mut files: Vec<_> = entries
+            .map(|entry| entry.expect("a file").file_name())
+            .collect();
+        files.sort();
+        for file in files {
+            let name = format!("src/{stage}/{}", file.to_string_lossy());
+            let text = read(&root.join(&name));
+            let mut helper = false;
+            for (number, line) in text.lines().enumerate() {
+                // a helper that is told where it is called from counts there
+                helper = match line {
+                    _ if line.trim() == "#[track_caller]" => true,
+                    "    }" | "}" => false,
+                    _ => helper,
+                };
+                let makes = MAKERS.iter().any(|maker| line.contains(maker));
+                let place = format!("{name}:{}", number + 1);
+                if makes && !helper && !reached.iter().any(|r| r.ends_with(&place)) {
+                    missing.push(format!("{place}: {}", line.trim()));
+                }
+            }
+        }
+    }
+    assert!(
+        missing.is_empty(),
+        "no program in tests/diagnostics reaches\n{}",
+        missing.join("\n")
+    );
+}
+
+/// What makes a message: the constructors, and helpers that are told where they are called from.
+const MAKERS: [&str; 7] = [
+    "Diagnostic::error(",
+    "Diagnostic::warning(",
+    "self.mismatch(",
+    "self.bars(",
+    "self.wrong(",
+    "self.wrong_count(",
+    "self.not_a_set(",
+];
+
 #[test]
 fn line_breaks_of_other_systems() {
     let text = "a ∈ ℝ\r\nu ∈ ℝ³\r\n\r\ny = ½\ta +\tu\r\n";
     check(
         Source::file("program.hlang", text),
         expect![[r#"
-        error: cannot add ℝ and ℝ³
-         --> program.hlang:4:5
-          |
-        4 | y = ½    a +    u
-          |     ^^^^^^      - this is ℝ³
-          |     |
-          |     this is ℝ
-          |
-          = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
-    "#]],
+            error: cannot add ℝ and ℝ³
+             --> program.hlang:4:5
+              |
+            2 | u ∈ ℝ³
+              | - `u` is declared here
+            3 |
+            4 | y = ½    a +    u
+              |     ^^^^^^      - this is ℝ³
+              |     |
+              |     this is ℝ
+              |
+              = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
+        "#]],
     );
 }
 
@@ -80,16 +138,20 @@ fn a_literal_of_a_rust_file() {
     check(
         source,
         expect![[r#"
-        error: cannot add ℝ and ℝ³
-          --> src/main.rs:14:9
-           |
-        14 |     y = a + u
-           |         ^   - this is ℝ³
-           |         |
-           |         this is ℝ
-           |
-           = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
-    "#]],
+            error: cannot add ℝ and ℝ³
+              --> src/main.rs:14:9
+               |
+            12 |                         a ∈ ℝ
+               |                         - `a` is declared here
+            13 |     u ∈ ℝ³
+               |     - `u` is declared here
+            14 |     y = a + u
+               |         ^   - this is ℝ³
+               |         |
+               |         this is ℝ
+               |
+               = help: a number and a vector have no sum; `‖u‖` is the length of a vector `u`
+        "#]],
     );
 }
 

@@ -17,6 +17,17 @@ pub enum Error {
         /// What it is indexed by, such as ``8 vertices of `M` ``.
         because: String,
     },
+    /// Two sequences that are declared with one subscript letter have different lengths.
+    Disagree {
+        /// One parameter.
+        first: String,
+        /// Number of its items.
+        first_length: usize,
+        /// The other parameter.
+        second: String,
+        /// Number of its items.
+        second_length: usize,
+    },
     /// Two parameters disagree on a size.
     Size {
         /// The parameter.
@@ -67,6 +78,16 @@ impl fmt::Display for Error {
             } => write!(
                 f,
                 "`{parameter}` has {found} items but needs {expected}: it is indexed by the {because}"
+            ),
+            Error::Disagree {
+                first,
+                first_length,
+                second,
+                second_length,
+            } => write!(
+                f,
+                "`{first}` has {first_length} items but `{second}` has {second_length}: they are declared with the same \
+                 subscript and must have one length"
             ),
             Error::Size {
                 parameter,

@@ -1,13 +1,19 @@
 //! Functions of the built-in modules, and those that are always there.
 
 use super::Checker;
-use super::subscript::with_article;
+use super::wording::ONE_MESH;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, Elementary, ExprId, Fold, Kind, Range, Unary};
-use crate::resolve::symbols::count;
+use crate::resolve::symbols::{count, given};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
+use crate::types::display::plural;
 use crate::types::{ELEMENT_KINDS, Element, ElementKind, MeshId, Shape, Type, mesh_dimension};
+
+const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
+
+/// What sparse vectors over elements are.
+const CHAIN: &str = "a product of boundary matrices and an indicator vector";
 
 fn elementary(name: &str) -> Option<Elementary> {
     Some(match name {
@@ -44,12 +50,13 @@ impl<'a> Checker<'a> {
         arguments: &[&'a Expr],
     ) -> ExprId {
         let values: Vec<ExprId> = arguments.iter().map(|a| self.expr(a)).collect();
-        if values.iter().any(|v| self.is_error(*v)) {
+        if values.iter().any(|v| self.is_wrong(*v)) {
             return self.error();
         }
         let call = Builtin {
             span,
             name,
+            builtin,
             arguments,
             values: &values,
         };
@@ -75,7 +82,7 @@ impl<'a> Checker<'a> {
                 }
                 for (k, value) in values.iter().enumerate() {
                     if !self.ty(*value).is_scalar() {
-                        return self.wrong(&call, k, "two numbers, `atan2(y, x)`");
+                        return self.wrong(&call, k, "two numbers");
                     }
                 }
                 let (y, x) = (self.real(values[0]), self.real(values[1]));
@@ -233,11 +240,7 @@ impl<'a> Checker<'a> {
                         Kind::NonZeros(values[0]),
                         Type::set_of(Type::Element(space)),
                     ),
-                    None => self.wrong(
-                        &call,
-                        0,
-                        "a chain: an indicator vector or its product with a boundary matrix",
-                    ),
+                    None => self.wrong(&call, 0, CHAIN),
                 }
             }
             "ValueSet" => {
@@ -245,16 +248,12 @@ impl<'a> Checker<'a> {
                     return self.error();
                 }
                 match (self.chain_space(values[0]), self.ty(values[1])) {
-                    (None, _) => self.wrong(
-                        &call,
-                        0,
-                        "a chain: an indicator vector or its product with a boundary matrix",
-                    ),
+                    (None, _) => self.wrong(&call, 0, CHAIN),
                     (Some(space), ty) if *ty == Type::INTEGER => self.add(
                         Kind::ValueSet(values[0], values[1]),
                         Type::set_of(Type::Element(space)),
                     ),
-                    _ => self.wrong(&call, 1, "an integer"),
+                    _ => self.wrong(&call, 1, "an integer as its second argument"),
                 }
             }
             "vertexset" => self.tagged_set(&call, ElementKind::Vertex),
@@ -392,6 +391,7 @@ impl<'a> Checker<'a> {
             let call = Builtin {
                 span: call.span,
                 name: call.name,
+                builtin: call.builtin,
                 arguments: &call.arguments[1..],
                 values: &call.values[1..],
             };
@@ -525,22 +525,16 @@ impl<'a> Checker<'a> {
         }
         match self.ty(call.values[0]).element_of_set() {
             Some(element) if element.kind == kind => call.values[0],
-            Some(element) => {
-                let other = crate::types::display::plural(element.kind);
-                let name = &call.name.text;
-                let expected = crate::types::display::plural(kind);
-                let message =
-                    format!("`{name}` takes a set of {expected} but is given a set of {other}");
-                self.report(
-                    Diagnostic::error(call.arguments[0].span, message)
-                        .here(format!("this is a set of {other}"))
-                        .help("the kind of the elements follows from the boundary matrices; it cannot be changed"),
-                )
-            }
+            Some(_) => self.wrong_because(
+                call,
+                0,
+                &format!("a set of {}", plural(kind)),
+                "it only says what a set holds and cannot change it; `Vertices`, `Edges` and `Faces` from `Neighborhoods(M)` go from one kind to another",
+            ),
             None if self.ty(call.values[0]) == &Type::set_of(Type::INTEGER) => {
                 self.unsupported(call.span, "turning integers into elements is")
             }
-            None => self.wrong(call, 0, "a set of elements"),
+            None => self.wrong(call, 0, &format!("a set of {}", plural(kind))),
         }
     }
 
@@ -550,31 +544,42 @@ impl<'a> Checker<'a> {
         }
         let mut mesh = None;
         for (k, value) in call.values.iter().enumerate() {
-            let Some(element) = self.ty(*value).element_of_set() else {
-                // an empty literal has the kind of its place
-                if self.is_empty_set(*value) {
-                    continue;
-                }
-                return self.wrong(
+            // an empty literal has the kind of its place
+            if self.is_empty_set(*value) {
+                continue;
+            }
+            let kind = ELEMENT_KINDS[k];
+            let element = self.ty(*value).element_of_set();
+            let Some(element) = element.filter(|element| element.kind == kind) else {
+                let takes = format!("a set of {} as its {} argument", plural(kind), ORDINALS[k]);
+                return self.wrong_because(
                     call,
                     k,
-                    "sets of vertices, edges, faces and cells, in this order",
+                    &takes,
+                    "its arguments are sets of vertices, edges, faces and cells, in this order; `{}` where there are none",
                 );
             };
-            if element.kind != ELEMENT_KINDS[k] {
-                return self.wrong(
-                    call,
-                    k,
-                    "sets of vertices, edges, faces and cells, in this order",
+            if let Some(before) = mesh.filter(|m| *m != element.mesh) {
+                let (of, given) = (self.mesh_name(before), self.mesh_name(element.mesh));
+                let message = format!(
+                    "`{}` takes sets of one mesh, not of `{of}` and `{given}`",
+                    call.name.text
                 );
-            }
-            if mesh.is_some_and(|m| m != element.mesh) {
-                return self.wrong(call, k, "sets of one mesh");
+                let diagnostic = Diagnostic::error(call.arguments[k].span, message)
+                    .here(format!("this is of `{given}`"))
+                    .help(ONE_MESH);
+                let diagnostic = self.with_origins(diagnostic, &[call.arguments[k]]);
+                return self.report(diagnostic);
             }
             mesh = Some(element.mesh);
         }
         let Some(mesh) = mesh else {
-            return self.wrong(call, 0, "at least one set whose mesh is known");
+            return self.wrong_because(
+                call,
+                0,
+                "at least one set that is not the literal `{}`",
+                "which mesh it belongs to follows from its sets",
+            );
         };
         let mut sets = Vec::new();
         for (k, &kind) in ELEMENT_KINDS.iter().enumerate() {
@@ -587,6 +592,7 @@ impl<'a> Checker<'a> {
         self.add(Kind::Tuple(sets), Type::CellularSet(Some(mesh)))
     }
 
+    #[track_caller]
     fn takes(&mut self, call: &Builtin<'_, 'a>, n: usize) -> bool {
         if call.values.len() == n {
             return true;
@@ -595,30 +601,75 @@ impl<'a> Checker<'a> {
         false
     }
 
+    #[track_caller]
     fn wrong_count(&mut self, call: &Builtin<'_, 'a>, takes: &str) -> ExprId {
+        let name = &call.name.text;
         let message = format!(
-            "`{}` takes {takes} but is given {}",
-            call.name.text,
-            call.values.len()
+            "`{name}` takes {takes} but is given {}",
+            given(call.values.len())
         );
-        self.report(Diagnostic::error(call.span, message).help(format!("give it {takes}")))
+        let help = format!("write it as in `{}`", usage(call.builtin, name));
+        self.report(Diagnostic::error(call.span, message).help(help))
     }
 
+    /// An argument is not what the function takes.
+    #[track_caller]
     fn wrong(&mut self, call: &Builtin<'_, 'a>, k: usize, takes: &str) -> ExprId {
-        let given = with_article(self.ty(call.values[k]));
-        let message = format!("`{}` takes {takes}, but is given {given}", call.name.text);
-        self.report(
-            Diagnostic::error(call.arguments[k].span, message)
-                .here(format!("this is {given}"))
-                .help(format!("give it {takes}")),
-        )
+        let help = match (call.builtin, self.ty(call.values[k])) {
+            ("IndicatorVector", Type::Element(_)) => {
+                "`{v}` is the set with one member `v`".to_owned()
+            }
+            ("NonZeros" | "ValueSet", Type::Set(item)) if item.is_element() && k == 0 => {
+                "`IndicatorVector(S)` is the chain of a set `S`".to_owned()
+            }
+            ("ElementSets" | "BoundaryMatrices" | "UnsignedBoundaryMatrices", _) => {
+                "a mesh is declared as in `M : FaceMesh`".to_owned()
+            }
+            _ => format!("write it as in `{}`", usage(call.builtin, &call.name.text)),
+        };
+        self.wrong_because(call, k, takes, &help)
     }
+
+    #[track_caller]
+    fn wrong_because(
+        &mut self,
+        call: &Builtin<'_, 'a>,
+        k: usize,
+        takes: &str,
+        help: &str,
+    ) -> ExprId {
+        let given = self.ty(call.values[k]).described();
+        let message = format!("`{}` takes {takes}, not {given}", call.name.text);
+        let diagnostic = Diagnostic::error(call.arguments[k].span, message)
+            .here(format!("this is {given}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[call.arguments[k]]);
+        self.report(diagnostic)
+    }
+}
+
+/// How a built-in function is written, under its local name.
+fn usage(builtin: &str, name: &str) -> String {
+    let arguments = match builtin {
+        "atan2" => "(y, x)",
+        "min" | "max" => "(a, b)",
+        "tuple" => "(a, b)",
+        "ElementSets" | "BoundaryMatrices" | "UnsignedBoundaryMatrices" => "(M)",
+        "IndicatorVector" | "vertexset" | "edgeset" | "faceset" | "cellset" => "(S)",
+        "NonZeros" => "(B IndicatorVector(S))",
+        "ValueSet" => "(B IndicatorVector(S), 1)",
+        "CellularSet" => "(S, H, G)",
+        _ => "(x)",
+    };
+    format!("{name}{arguments}")
 }
 
 /// A call of a built-in function.
 struct Builtin<'c, 'a> {
     span: Span,
     name: &'a Name,
+    /// Its name in the built-in module.
+    builtin: &'c str,
     arguments: &'c [&'a Expr],
     values: &'c [ExprId],
 }

@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
-use super::subscript::with_article;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, FunctionId, Kind};
-use crate::resolve::symbols::count;
+use crate::resolve::symbols::{count, given};
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
@@ -41,34 +40,20 @@ impl<'a> Checker<'a> {
             }
             Found::Value(value) => {
                 let ty = self.ty(value).clone();
-                if ty.is_error() {
-                    return value;
-                }
                 if let (Type::Function { parameters, result }, Kind::Input(id)) =
                     (&ty, self.program.arena.kind(value).clone())
                 {
                     let arguments: Vec<&'a Expr> = subscripts.iter().chain(arguments).collect();
                     return self.host_call(span, function, id, (parameters, result), &arguments);
                 }
-                return self.report(
-                    Diagnostic::error(
-                        function.span,
-                        format!("`{}` is not a function", function.text),
-                    )
-                    .here(format!("this is {}", with_article(&ty)))
-                    .help(
-                        "a product with a number in parentheses needs a space or `⋅` between them",
-                    ),
-                );
+                // the parser makes calls of functions only
+                return match ty.is_error() {
+                    true => value,
+                    false => self.unsupported(function.span, "calls of values are"),
+                };
             }
             Found::Dimension => {
-                return self.report(
-                    Diagnostic::error(
-                        function.span,
-                        format!("`{}` is a size, not a function", function.text),
-                    )
-                    .help("a product needs a space or `⋅` between its factors"),
-                );
+                return self.unsupported(function.span, "calls of values are");
             }
         };
         let arguments: Vec<&'a Expr> = subscripts.iter().chain(arguments).collect();
@@ -109,7 +94,7 @@ impl<'a> Checker<'a> {
         if values.iter().any(|v| self.is_error(*v)) {
             return self.error();
         }
-        let shown: Vec<String> = parameters.iter().map(with_article).collect();
+        let shown: Vec<String> = parameters.iter().map(Type::described).collect();
         let help = format!("`{}` takes ({})", name.text, shown.join(", "));
         if values.len() != parameters.len() {
             let message = format!(
@@ -124,11 +109,11 @@ impl<'a> Checker<'a> {
         for (k, (value, parameter)) in values.iter().zip(parameters).enumerate() {
             let ty = self.ty(*value).clone();
             if fit(parameter, &ty, &|_| false, &mut sizes).is_none() {
-                let given = with_article(&ty);
+                let given = ty.described();
                 let message = format!(
                     "`{}` takes {} but is given {given}",
                     name.text,
-                    with_article(parameter)
+                    parameter.described()
                 );
                 return self.report(
                     Diagnostic::error(arguments[k].span, message)
@@ -156,7 +141,7 @@ impl<'a> Checker<'a> {
         call: &Call<'_, 'a>,
         candidates: Vec<(ModuleId, usize, Signature)>,
     ) -> ExprId {
-        if call.values.iter().any(|v| self.is_error(*v)) {
+        if call.values.iter().any(|v| self.is_wrong(*v)) {
             // which overload is meant may not be known, but often it does not matter
             if let [(module, item, _)] = candidates.as_slice() {
                 let id = self.function(*module, *item);
@@ -191,16 +176,16 @@ impl<'a> Checker<'a> {
             }
             [] => self.no_candidate(call, &types, &candidates),
             _ => {
-                let shown: Vec<_> = candidates
-                    .iter()
-                    .map(|(_, _, s)| format!("`{}`", s.shown))
-                    .collect();
+                let message = format!("the call of `{}` is ambiguous", call.name.text);
+                let mut diagnostic = Diagnostic::error(call.span, message);
+                for (_, module, item) in &best {
+                    if let Some(signature) = self.signature(*module, *item) {
+                        let text = format!("`{}` fits", signature.shown);
+                        diagnostic = diagnostic.label(signature.span, text);
+                    }
+                }
                 self.report(
-                    Diagnostic::error(
-                        call.span,
-                        format!("the call of `{}` is ambiguous", call.name.text),
-                    )
-                    .help(format!("it may mean {}", shown.join(" or "))),
+                    diagnostic.help("rename one of the functions, or import it under another name"),
                 )
             }
         }
@@ -266,31 +251,14 @@ impl<'a> Checker<'a> {
             return self.error();
         }
         if candidates.len() > 1 {
-            let given: Vec<_> = types.iter().map(with_article).collect();
-            let mut diagnostic = Diagnostic::error(
-                call.span,
-                format!("no definition of `{name}` takes ({})", given.join(", ")),
-            );
-            let owner = candidates
-                .iter()
-                .find_map(|(_, _, s)| self.owner_mismatch(s, types));
-            if let Some((k, there, here)) = owner {
-                diagnostic = diagnostic.label(
-                    call.arguments[k].span,
-                    format!("this is of `{here}`; `{name}` here is of `{there}`"),
-                );
-            }
-            let shown: Vec<_> = candidates
-                .iter()
-                .map(|(_, _, s)| format!("`{}`", s.shown))
-                .collect();
-            return self.report(diagnostic.help(format!("there are {}", shown.join(", "))));
+            return self.no_overload(call, types, candidates);
         }
-        if first.parameters.len() != types.len() {
+        let parameters = &first.parameters;
+        if parameters.len() != types.len() {
             let message = format!(
                 "`{name}` takes {} but is given {}",
-                count(first.parameters.len(), "argument"),
-                types.len()
+                count(parameters.len(), "argument"),
+                given(types.len())
             );
             return self.report(
                 Diagnostic::error(call.span, message)
@@ -298,61 +266,99 @@ impl<'a> Checker<'a> {
                     .help(format!("its parameters are `{}`", first.shown)),
             );
         }
-        if let Some((k, there, here)) = self.owner_mismatch(first, types) {
-            let message =
-                format!("`{name}` takes elements of `{there}` but is given those of `{here}`");
-            return self.report(
-                Diagnostic::error(call.arguments[k].span, message)
-                    .here(format!("this is {} of `{here}`", with_article(&types[k])))
-                    .help("elements of one mesh have no meaning in another"),
-            );
-        }
         let k = (0..types.len())
-            .find(|&k| {
-                fit(
-                    &first.parameters[k],
-                    &types[k],
-                    &|_| true,
-                    &mut Sizes::default(),
-                )
-                .is_none()
-            })
+            .find(|&k| fit_alone(&parameters[k], &types[k]).is_none())
             .unwrap_or(0);
-        let (expected, given) = (with_article(&first.parameters[k]), with_article(&types[k]));
-        self.report(
-            Diagnostic::error(
-                call.arguments[k].span,
-                format!("`{name}` takes {expected} but is given {given}"),
-            )
+        let (takes, given) = self.described_both(&parameters[k], &types[k]);
+        let help = if is_permutation(parameters, types) {
+            format!("the arguments have another order: `{}`", first.shown)
+        } else if owner_mismatch(first, types) == Some(k) {
+            "elements of one mesh have no meaning in another".to_owned()
+        } else {
+            format!("its parameters are `{}`", first.shown)
+        };
+        let message = format!("`{name}` takes {takes} but is given {given}");
+        let diagnostic = Diagnostic::error(call.arguments[k].span, message)
             .here(format!("this is {given}"))
             .label(first.span, "defined here")
-            .help(format!("its parameters are `{}`", first.shown)),
-        )
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[call.arguments[k]]);
+        self.report(diagnostic)
     }
 
-    /// The first argument that would fit but for its mesh: its number, the mesh of the parameter, its own.
-    fn owner_mismatch(
-        &self,
-        signature: &Signature,
+    /// None of several definitions takes the arguments.
+    fn no_overload(
+        &mut self,
+        call: &Call<'_, 'a>,
         types: &[Type],
-    ) -> Option<(usize, String, String)> {
-        if signature.parameters.len() != types.len() {
-            return None;
-        }
-        let element = |ty: &Type| match ty {
-            Type::Element(element) => Some((*element, false)),
-            _ => ty.element_of_set().map(|element| (element, true)),
-        };
-        signature
-            .parameters
+        candidates: &[(ModuleId, usize, Signature)],
+    ) -> ExprId {
+        let name = &call.name.text;
+        let owner = candidates
             .iter()
-            .zip(types)
-            .enumerate()
-            .find_map(|(k, (parameter, ty))| {
-                let ((p, p_set), (t, t_set)) = (element(parameter)?, element(ty)?);
-                (p.kind == t.kind && p_set == t_set && p.mesh != t.mesh)
-                    .then(|| (k, self.mesh_name(p.mesh), self.mesh_name(t.mesh)))
-            })
+            .find_map(|(_, _, s)| owner_mismatch(s, types).map(|k| (k, s)));
+        let mut described: Vec<String> = types.iter().map(Type::described).collect();
+        if let Some((k, signature)) = owner {
+            let (takes, given) = self.described_both(&signature.parameters[k], &types[k]);
+            let here = format!("this is {given}; `{name}` takes {takes}");
+            described[k] = given;
+            let message = format!("no definition of `{name}` takes {}", arguments(&described));
+            let diagnostic = Diagnostic::error(call.arguments[k].span, message)
+                .here(here)
+                .help(format!(
+                    "import it for the other mesh as well, under another name, as in `{name} as …`"
+                ));
+            let diagnostic = self.with_origins(diagnostic, &[call.arguments[k]]);
+            return self.report(diagnostic);
+        }
+        let message = format!("no definition of `{name}` takes {}", arguments(&described));
+        let mut diagnostic = Diagnostic::error(call.span, message);
+        if let [argument] = call.arguments {
+            diagnostic = diagnostic.label(argument.span, format!("this is {}", described[0]));
+            diagnostic = self.with_origins(diagnostic, &[argument]);
+        }
+        let shown: Vec<_> = candidates
+            .iter()
+            .map(|(_, _, s)| format!("`{}`", s.shown))
+            .collect();
+        self.report(diagnostic.help(format!("it is defined as {}", shown.join(", "))))
+    }
+}
+
+/// The first argument that would fit but for its mesh.
+fn owner_mismatch(signature: &Signature, types: &[Type]) -> Option<usize> {
+    if signature.parameters.len() != types.len() {
+        return None;
+    }
+    let element = |ty: &Type| match ty {
+        Type::Element(element) => Some((*element, false)),
+        _ => ty.element_of_set().map(|element| (element, true)),
+    };
+    let pairs = signature.parameters.iter().zip(types);
+    pairs.enumerate().find_map(|(k, (parameter, ty))| {
+        let ((p, p_set), (t, t_set)) = (element(parameter)?, element(ty)?);
+        (p.kind == t.kind && p_set == t_set && p.mesh != t.mesh).then_some(k)
+    })
+}
+
+/// Whether the arguments would fit in another order.
+fn is_permutation(parameters: &[Type], types: &[Type]) -> bool {
+    let Some((first, rest)) = parameters.split_first() else {
+        return types.is_empty();
+    };
+    types.len() <= 6
+        && (0..types.len()).any(|k| {
+            let others = [&types[..k], &types[k + 1..]].concat();
+            fit_alone(first, &types[k]).is_some() && is_permutation(rest, &others)
+        })
+}
+
+/// The arguments of a call in a sentence.
+fn arguments(described: &[String]) -> String {
+    match described {
+        [] => "no arguments".to_owned(),
+        [one] => one.clone(),
+        _ => format!("({})", described.join(", ")),
     }
 }
 
@@ -361,6 +367,11 @@ struct Call<'c, 'a> {
     name: &'a Name,
     arguments: &'c [&'a Expr],
     values: &'c [ExprId],
+}
+
+/// How an argument fits a parameter, whatever sizes it brings along.
+fn fit_alone(parameter: &Type, argument: &Type) -> Option<Fit> {
+    fit(parameter, argument, &|_| true, &mut Sizes::default())
 }
 
 /// Sizes that arguments bring along.
@@ -435,6 +446,7 @@ fn fit(
             }
             fit(a, b, is_template, sizes)
         }
+        (Type::Set(_), Type::Set(item)) if **item == Type::Error => Some(Fit::Promoted),
         (Type::CellularSet(a), Type::CellularSet(b)) if a.is_none() || b.is_none() => {
             Some(Fit::Exact)
         }

@@ -1,11 +1,12 @@
 //! Conditions.
 
 use super::Checker;
-use super::subscript::with_article;
+use super::wording::{KINDS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
 use crate::syntax::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind};
 use crate::types::Type;
+use crate::types::display::plural;
 
 impl<'a> Checker<'a> {
     /// Checks a condition.
@@ -45,7 +46,7 @@ impl<'a> Checker<'a> {
     ) -> ExprId {
         let a = self.expr(left);
         let b = self.expr(right);
-        if self.is_error(a) || self.is_error(b) {
+        if self.is_wrong(a) || self.is_wrong(b) {
             return self.no_condition();
         }
         let (a, b) = self.common(a, b);
@@ -55,36 +56,31 @@ impl<'a> Checker<'a> {
             (Type::Scalar(_), Type::Scalar(_)) => None,
             (Type::Element(x), Type::Element(y)) if x == y => None,
             (Type::Element(x), Type::Element(y)) if x.kind == y.kind => {
-                let (here, there) = (self.mesh_name(x.mesh), self.mesh_name(y.mesh));
-                Some(format!(
-                    "one is of `{here}`, the other of `{there}`; they are never the same"
-                ))
+                Some("elements of different meshes are never the same")
             }
-            (Type::Element(_), Type::Element(_)) => {
-                Some("vertices, edges, faces and cells are different kinds of elements".to_owned())
-            }
+            (Type::Element(_), Type::Element(_)) => Some(KINDS),
             (Type::Set(x), Type::Set(y)) if x == y && equality => None,
             (Type::Vector { .. } | Type::Tuple(_), _) if ta == tb && equality => None,
             (Type::Element(_), Type::Scalar(_)) | (Type::Scalar(_), Type::Element(_)) => {
-                Some("elements of a mesh are not numbers".to_owned())
+                Some("elements of a mesh are not numbers")
             }
-            _ if ta == tb => Some("only `=` and `≠` are defined here".to_owned()),
-            _ => Some("both sides must have one type".to_owned()),
+            _ if ta == tb && equality => {
+                Some("only numbers, elements, vectors, sets and tuples can be compared")
+            }
+            _ if ta == tb => Some(
+                "only numbers and elements have an order; the others can be compared by `=` and `≠`",
+            ),
+            _ => Some("both sides must have the same type"),
         };
         if let Some(help) = help {
-            self.report(
-                Diagnostic::error(
-                    condition.span,
-                    format!(
-                        "cannot compare {} and {}",
-                        with_article(&ta),
-                        with_article(&tb)
-                    ),
-                )
-                .label(left.span, format!("this is {}", with_article(&ta)))
-                .label(right.span, format!("this is {}", with_article(&tb)))
-                .help(help),
-            );
+            let (a, b) = self.described_both(&ta, &tb);
+            let diagnostic =
+                Diagnostic::error(condition.span, format!("cannot compare {a} with {b}"))
+                    .label(left.span, format!("this is {a}"))
+                    .label(right.span, format!("this is {b}"))
+                    .help(help);
+            let diagnostic = self.with_origins(diagnostic, &[left, right]);
+            self.report(diagnostic);
             return self.no_condition();
         }
         self.add(Kind::Compare(op, a, b), Type::Boolean)
@@ -105,17 +101,13 @@ impl<'a> Checker<'a> {
         }
         let (ty, set_ty) = (self.ty(value).clone(), self.ty(set_value).clone());
         let Type::Set(member) = &set_ty else {
-            self.report(
-                Diagnostic::error(
-                    set.span,
-                    format!(
-                        "`∈` needs a set on its right, not {}",
-                        with_article(&set_ty)
-                    ),
-                )
-                .here(format!("this is {}", with_article(&set_ty)))
-                .help("compare numbers with `=`, `<`, `≤`, …"),
-            );
+            let found = set_ty.described();
+            let message = format!("`∈` needs a set on its right, not {found}");
+            let diagnostic = Diagnostic::error(set.span, message)
+                .here(format!("this is {found}"))
+                .help("values are compared with `=`, `<`, `≤`, …");
+            let diagnostic = self.with_origins(diagnostic, &[set]);
+            self.report(diagnostic);
             return self.no_condition();
         };
         let value = self.convert(value, member);
@@ -123,21 +115,20 @@ impl<'a> Checker<'a> {
             return self.add(Kind::Member(value, set_value), Type::Boolean);
         }
         let help = match (&ty, &**member) {
-            (Type::Element(x), Type::Element(y)) if x.kind == y.kind => {
-                let (here, there) = (self.mesh_name(x.mesh), self.mesh_name(y.mesh));
-                format!("one is of `{here}`, the other of `{there}`")
+            (Type::Element(x), Type::Element(y)) if x.kind == y.kind => ONE_MESH.to_owned(),
+            (_, Type::Element(element)) => {
+                format!("the members of this set are {}", plural(element.kind))
             }
-            _ => format!("the members of this set are of type {member}"),
+            _ => format!("the members of this set have the type {member}"),
         };
-        self.report(
-            Diagnostic::error(
-                condition.span,
-                format!("{} cannot be a member of a {set_ty}", with_article(&ty)),
-            )
-            .label(item.span, format!("this is {}", with_article(&ty)))
-            .label(set.span, format!("this is a {set_ty}"))
-            .help(help),
-        );
+        let (a, b) = self.described_both(&ty, &set_ty);
+        let message = format!("{a} cannot be a member of {b}");
+        let diagnostic = Diagnostic::error(condition.span, message)
+            .label(item.span, format!("this is {a}"))
+            .label(set.span, format!("this is {b}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[item, set]);
+        self.report(diagnostic);
         self.no_condition()
     }
 }

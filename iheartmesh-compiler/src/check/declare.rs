@@ -44,6 +44,9 @@ impl Checker<'_> {
         }
         for (place, declaration) in &places {
             if let TypeKind::Mesh(kind) = declaration.ty.kind {
+                if declaration.relation == Relation::Subset && place.2 == 0 {
+                    self.no_subset(declaration);
+                }
                 let name = &declaration.targets[place.2].name;
                 self.program.meshes.push(MeshInput {
                     name: name.text.clone(),
@@ -53,17 +56,8 @@ impl Checker<'_> {
                 self.declare_input(*place, declaration, Declared::plain(Type::Mesh(kind, mesh)));
             }
         }
-        // an input may be declared as an element of another one, which may stand further down
-        for names_a_set in [false, true] {
-            for (place, declaration) in &places {
-                if matches!(declaration.ty.kind, TypeKind::Mesh(_))
-                    || names_a_set != matches!(declaration.ty.kind, TypeKind::Named(_))
-                {
-                    continue;
-                }
-                let declared = self.declared(declaration, place.2);
-                self.declare_input(*place, declaration, declared);
-            }
+        for (place, _) in &places {
+            self.input(*place);
         }
         // back to the order of the text
         let order: Vec<InputId> = places
@@ -76,6 +70,34 @@ impl Checker<'_> {
             })
             .collect();
         self.program.input_order = order;
+    }
+
+    /// The value of an input; it is declared when it is first needed, since the set that it belongs to may be an
+    /// input that stands further down.
+    pub(super) fn input(&mut self, place: (usize, usize, usize)) -> Option<ExprId> {
+        if let Some(value) = self.inputs.get(&place) {
+            return Some(*value);
+        }
+        let items = &self.resolved.module(ModuleId(0)).syntax.items;
+        let ItemKind::Parameters(block) = &items.get(place.0)?.kind else {
+            return None;
+        };
+        let declaration = block.get(place.1)?;
+        let name = &declaration.targets.get(place.2)?.name;
+        if !self.declaring.insert(place) {
+            self.circular = true;
+            let message = format!("the declaration of `{}` depends on itself", name.text);
+            self.report(
+                Diagnostic::error(name.span, message)
+                    .help("a symbol is declared as a member or subset of another set"),
+            );
+            return None;
+        }
+        let declared = self.in_module(ModuleId(0), |checker| {
+            checker.declared(declaration, place.2)
+        });
+        self.declare_input(place, declaration, declared);
+        self.inputs.get(&place).copied()
     }
 
     fn declare_input(
@@ -108,11 +130,7 @@ impl Checker<'_> {
             return self.declared_by_set(declaration, set);
         }
         if declaration.relation == Relation::Subset {
-            let message = format!("`{}` is not a set", self.written(&declaration.ty));
-            self.report(
-                Diagnostic::error(declaration.ty.span, message)
-                    .help("after `⊂` stands the name of a set, such as `V`"),
-            );
+            self.no_subset(declaration);
             return Declared::plain(Type::Error);
         }
         let ty = self.written_type(&declaration.ty);
@@ -133,12 +151,24 @@ impl Checker<'_> {
         })
     }
 
+    fn no_subset(&mut self, declaration: &Declaration) {
+        self.report(
+            Diagnostic::error(declaration.ty.span, "after `⊂` stands a set, not a type").help(
+                "write `∈` for a value of this type, `S ∈ {T}` for a set of values of type `T`",
+            ),
+        );
+    }
+
     fn declared_by_set(&mut self, declaration: &Declaration, set: &ast::Name) -> Declared {
         let value = match self.find(set) {
             Found::Value(value) => value,
             Found::Error => return Declared::plain(Type::Error),
-            Found::Functions(_) | Found::Dimension => {
-                self.not_a_set(set, "something else");
+            Found::Functions(_) => {
+                self.not_a_set(set, "a function", None);
+                return Declared::plain(Type::Error);
+            }
+            Found::Dimension => {
+                self.not_a_set(set, "a size", None);
                 return Declared::plain(Type::Error);
             }
         };
@@ -153,7 +183,7 @@ impl Checker<'_> {
                         declaration.span,
                         format!("`{}` is a set, not a type", set.text),
                     )
-                    .label(set.span, format!("this is a {ty}"))
+                    .label(set.span, format!("this is {}", ty.described()))
                     .help(format!(
                         "write `∈ {0}` for an element or `⊂ {0}` for a subset",
                         set.text
@@ -162,8 +192,8 @@ impl Checker<'_> {
                 Type::Error
             }
             (other, _) => {
-                let found = other.to_string();
-                self.not_a_set(set, &found);
+                let found = other.described();
+                self.not_a_set(set, &found, Some(other));
                 Type::Error
             }
         };
@@ -174,21 +204,24 @@ impl Checker<'_> {
         }
     }
 
-    fn not_a_set(&mut self, set: &ast::Name, found: &str) {
-        self.report(
-            Diagnostic::error(set.span, format!("`{}` is not a set", set.text))
-                .here(format!("this is {found}"))
-                .help("a symbol is declared as a member of a set or of a type such as `ℝ³`"),
-        );
-    }
-
-    fn written(&self, ty: &ast::Type) -> String {
-        match &ty.kind {
-            TypeKind::Mesh(kind) => kind.to_string(),
-            TypeKind::Scalar(ast::Number::Real) => "ℝ".to_owned(),
-            TypeKind::Scalar(ast::Number::Integer) => "ℤ".to_owned(),
-            _ => "this type".to_owned(),
-        }
+    #[track_caller]
+    fn not_a_set(&mut self, set: &ast::Name, found: &str, ty: Option<&Type>) {
+        let name = &set.text;
+        let help = match ty {
+            Some(Type::Mesh(..)) => format!(
+                "`V, E, F = ElementSets({name})` names the sets of its elements; write `∈ V`"
+            ),
+            _ => "after `∈` stands a set or a type such as `ℝ³`, after `⊂` a set".to_owned(),
+        };
+        let expr = Expr {
+            kind: ExprKind::Name(set.clone()),
+            span: set.span,
+        };
+        let diagnostic = Diagnostic::error(set.span, format!("`{name}` is not a set"))
+            .here(format!("this is {found}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[&expr]);
+        self.report(diagnostic);
     }
 
     /// A type as it is written.
@@ -264,13 +297,19 @@ impl Checker<'_> {
                     _ => None,
                 };
                 let Some(element) = element else {
-                    self.report(
-                        Diagnostic::error(
-                            from.span,
-                            format!("`{}` is not an element set of a mesh", from.text),
-                        )
-                        .help("write `x : V → T` with `V, E, F = ElementSets(M)`"),
+                    let message = format!(
+                        "`{}` is not all vertices, edges, faces or cells of a mesh",
+                        from.text
                     );
+                    let expr = Expr {
+                        kind: ExprKind::Name(from.clone()),
+                        span: from.span,
+                    };
+                    let diagnostic = Diagnostic::error(from.span, message).help(
+                        "before `→` stands one of the sets of `V, E, F = ElementSets(M)`, as in `x : V → ℝ³`",
+                    );
+                    let diagnostic = self.with_origins(diagnostic, &[&expr]);
+                    self.report(diagnostic);
                     return Type::Error;
                 };
                 Type::Sequence {
@@ -283,7 +322,10 @@ impl Checker<'_> {
                 self.report(
                     Diagnostic::error(
                         ty.span,
-                        format!("a {kind} can only be a parameter of the module"),
+                        format!(
+                            "{} can only be a parameter of the module",
+                            Type::Mesh(*kind, MeshId(0)).described()
+                        ),
                     )
                     .help("declare it on a line of its own, as in `M : FaceMesh`"),
                 );
@@ -299,11 +341,12 @@ impl Checker<'_> {
                 Type::CellularSet((self.program.meshes.len() == 1).then_some(MeshId(0)))
             }
             TypeKind::Named(name) => {
-                self.report(
-                    Diagnostic::error(name.span, format!("`{}` is not a type", name.text)).help(
-                        "types are ℝ, ℤ, ℝ³, {ℤ}, …; a set is named directly after `∈` or `⊂`",
-                    ),
+                let help = format!(
+                    "write `⊂ {}` for a set of its members; types are ℝ, ℤ, ℝ³, {{ℤ}} and the like",
+                    name.text
                 );
+                let message = format!("`{}` is not a type", name.text);
+                self.report(Diagnostic::error(name.span, message).help(help));
                 Type::Error
             }
         }

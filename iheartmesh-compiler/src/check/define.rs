@@ -5,6 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Global, GlobalId, Kind};
 use crate::resolve::ModuleId;
 use crate::resolve::symbols::count;
+use crate::span::Span;
 use crate::syntax::ast::{self, ItemKind};
 use crate::types::Type;
 
@@ -19,6 +20,7 @@ impl<'a> Checker<'a> {
             Some(Definition::Done(values)) => return values.clone(),
             Some(Definition::Open) => {
                 // the cycle has been reported when names were resolved
+                self.circular = true;
                 let error = self.error();
                 return vec![error; definition.targets.len()];
             }
@@ -35,7 +37,7 @@ impl<'a> Checker<'a> {
     }
 
     /// The value of a definition by its name, so that it is computed once; what costs nothing stays as it is.
-    fn named(&mut self, name: &str, value: ExprId, span: crate::span::Span) -> ExprId {
+    fn named(&mut self, name: &str, value: ExprId, span: Span) -> ExprId {
         let costs_nothing = matches!(
             self.program.arena.kind(value),
             Kind::AllElements(_)
@@ -99,12 +101,13 @@ impl<'a> Checker<'a> {
             Type::Set(_) | Type::Sequence { .. } => None,
             Type::Error => return vec![value; n],
             other => {
-                let message = format!("cannot take {other} apart into {}", names.join(", "));
-                let error = self.report(
-                    Diagnostic::error(span, message)
-                        .here(format!("this is {other}"))
-                        .help("several names on the left need a tuple, a set or a vector on the right"),
-                );
+                let found = other.described();
+                let message = format!("cannot take {found} apart into {}", names.join(", "));
+                let diagnostic = Diagnostic::error(span, message)
+                    .here(format!("this is {found}"))
+                    .help("several names on the left need a tuple, a set or a vector on the right");
+                let diagnostic = self.with_origins(diagnostic, &[&definition.value]);
+                let error = self.report(diagnostic);
                 return vec![error; n];
             }
         };
@@ -121,8 +124,8 @@ impl<'a> Checker<'a> {
                 count(size as usize, "value")
             );
             let error = self.report(
-                Diagnostic::error(definition.span, message)
-                    .label(span, format!("this is {ty}"))
+                Diagnostic::error(definition_names(definition), message)
+                    .label(span, format!("this is {}", ty.described()))
                     .help(format!("give {} on the left", count(size as usize, "name"))),
             );
             return vec![error; n];
@@ -162,5 +165,13 @@ impl<'a> Checker<'a> {
     fn is_connectivity_call(&self, value: &ast::Expr) -> bool {
         matches!(&value.kind, ast::ExprKind::Call { function, .. }
             if ["ElementSets", "BoundaryMatrices", "UnsignedBoundaryMatrices"].contains(&function.text.as_str()))
+    }
+}
+
+/// Where the names on the left stand.
+fn definition_names(definition: &ast::Definition) -> Span {
+    match (definition.targets.first(), definition.targets.last()) {
+        (Some(first), Some(last)) => first.name.span.to(last.name.span),
+        _ => definition.span,
     }
 }

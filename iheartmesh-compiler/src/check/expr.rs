@@ -87,10 +87,15 @@ impl<'a> Checker<'a> {
                 {
                     return self.program.arena.real(std::f64::consts::E);
                 }
-                self.report(
-                    Diagnostic::error(name.span, format!("`{}` is a function", name.text))
-                        .help(format!("call it, as in `{}(…)`", name.text)),
-                )
+                let message = format!("`{}` is a function, not a value", name.text);
+                let expr = Expr {
+                    kind: ExprKind::Name(name.clone()),
+                    span: name.span,
+                };
+                let diagnostic = Diagnostic::error(name.span, message)
+                    .help(format!("call it, as in `{}(…)`", name.text));
+                let diagnostic = self.with_origins(diagnostic, &[&expr]);
+                self.report(diagnostic)
             }
         }
     }
@@ -190,12 +195,19 @@ impl<'a> Checker<'a> {
                 let a = self.real(a);
                 (a, b)
             }
+            (Type::Set(_), Type::Set(_)) => {
+                let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+                (self.convert(a, &tb), self.convert(b, &ta))
+            }
             _ => (a, b),
         }
     }
 
-    /// A value as the type wants it, where there is a conversion: ℤ to ℝ, also inside of tuples and sets.
+    /// A value as the type wants it, where there is a conversion: ℤ to ℝ, and the empty set to a set of anything.
     pub(super) fn convert(&mut self, e: ExprId, to: &Type) -> ExprId {
+        if self.is_empty_set(e) && matches!(to, Type::Set(_)) {
+            return self.add(Kind::Set(Vec::new()), to.clone());
+        }
         match to.shape() {
             Some(shape) if !to.is_integer() && self.ty(e).shape().is_some() => {
                 self.shaped(e, &shape)
@@ -237,18 +249,19 @@ impl<'a> Checker<'a> {
                     _ => shape.real(),
                 };
             } else if *other != ty {
-                let message = format!("the branches differ: {ty} and {other}");
-                return self.report(
-                    Diagnostic::error(syntax.span, message)
-                        .here(format!("this is {other}"))
-                        .label(first.span, format!("this is {ty}"))
-                        .help("all branches of a piecewise definition must have one type"),
-                );
+                let (a, b) = self.described_both(&ty, other);
+                let message = format!("the branches differ: {a} and {b}");
+                let diagnostic = Diagnostic::error(syntax.span, message)
+                    .here(format!("this is {b}"))
+                    .label(first.span, format!("this is {a}"))
+                    .help("all branches of a piecewise definition must have the same type");
+                let diagnostic = self.with_origins(diagnostic, &[first, syntax]);
+                return self.report(diagnostic);
             }
         }
         let mut value = self.add_at(e.span, Kind::Fail, ty.clone());
         for (_, condition, case) in cases.into_iter().rev() {
-            let case = match self.is_error(case) {
+            let case = match self.is_wrong(case) {
                 true => self.add(Kind::Fail, ty.clone()),
                 false => self.convert(case, &ty),
             };

@@ -2,15 +2,17 @@
 
 use super::Checker;
 use super::scope::Scope;
+use super::wording::NOT_NUMBERS;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, Kind, Range};
 use crate::syntax::ast::{BigOp, Definition, Expr, Head};
 use crate::types::Type;
+use crate::types::display::plural;
 
 impl<'a> Checker<'a> {
     pub(super) fn big(
         &mut self,
-        e: &'a Expr,
+        _e: &'a Expr,
         op: BigOp,
         head: &'a Head,
         body: &'a Expr,
@@ -29,14 +31,13 @@ impl<'a> Checker<'a> {
                         return value;
                     }
                     if ty != Type::INTEGER {
-                        return self.report(
-                            Diagnostic::error(
-                                syntax.span,
-                                format!("a bound of a sum cannot be {ty}"),
-                            )
-                            .here(format!("this is {ty}"))
-                            .help("the bounds are integers"),
-                        );
+                        let found = ty.described();
+                        let message = format!("the bounds of an index are integers, not {found}");
+                        let diagnostic = Diagnostic::error(syntax.span, message)
+                            .here(format!("this is {found}"))
+                            .help("an index runs over all integers from one bound to the other");
+                        let diagnostic = self.with_origins(diagnostic, &[syntax]);
+                        return self.report(diagnostic);
                     }
                 }
                 let mut scope = Scope::default();
@@ -77,16 +78,24 @@ impl<'a> Checker<'a> {
             (BigOp::Union, Type::Set(_)) => Fold::Union,
             _ => {
                 let (what, takes) = match op {
-                    BigOp::Sum => ("add up", "numbers, vectors and matrices"),
-                    BigOp::Product => ("multiply up", "numbers"),
-                    BigOp::Union => ("unite", "sets"),
+                    BigOp::Sum => ("add up", "`∑` adds numbers, vectors and matrices"),
+                    BigOp::Product => ("multiply", "`∏` multiplies numbers"),
+                    BigOp::Union => ("unite", "`∪` unites sets; `∑` adds numbers"),
                 };
-                return self.report(
-                    Diagnostic::error(body.span, format!("cannot {what} values of type {ty}"))
-                        .here(format!("this is {ty}"))
-                        .label(e.span, "in this expression")
-                        .help(format!("it is defined for {takes}")),
-                );
+                let help = match (op, &ty) {
+                    (BigOp::Sum, Type::Set(_)) => "`∪` in place of `∑` unites sets",
+                    (_, Type::Element(_)) => NOT_NUMBERS,
+                    _ => takes,
+                };
+                let found = ty.described();
+                let diagnostic = Diagnostic::error(
+                    body.span,
+                    format!("cannot {what} terms that are {}", terms(&ty)),
+                )
+                .here(format!("this is {found}"))
+                .help(help);
+                let diagnostic = self.with_origins(diagnostic, &[body]);
+                return self.report(diagnostic);
             }
         };
         let (value, ty) = match ty.is_scalar() || ty.shape().is_none() {
@@ -106,5 +115,14 @@ impl<'a> Checker<'a> {
             },
             ty,
         )
+    }
+}
+
+/// What the terms of a sum are, in the plural.
+fn terms(ty: &Type) -> String {
+    match (ty, ty.element_of_set()) {
+        (Type::Element(element), _) => plural(element.kind).to_owned(),
+        (_, Some(element)) => format!("sets of {}", plural(element.kind)),
+        _ => ty.to_string(),
     }
 }

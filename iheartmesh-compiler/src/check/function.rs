@@ -61,17 +61,47 @@ impl<'a> Checker<'a> {
             .iter()
             .chain(syntax.parameters.iter().flatten())
             .collect();
+        let is_declared = |name: &Name| {
+            let targets = syntax.declarations.iter().flat_map(|d| &d.targets);
+            targets.into_iter().any(|t| t.name.text == name.text)
+        };
+        let missing: Vec<&Name> = names.iter().copied().filter(|n| !is_declared(n)).collect();
+        let mut strange = false;
+        for (k, name) in names.iter().enumerate() {
+            if let Some(first) = names[..k].iter().find(|n| n.text == name.text) {
+                let message = format!("`{}` has two parameters `{}`", syntax.name.text, name.text);
+                self.report(
+                    Diagnostic::error(name.span, message)
+                        .label(first.span, "the first one")
+                        .help("rename one of the two"),
+                );
+            }
+        }
         for declaration in &syntax.declarations {
             for target in &declaration.targets {
+                strange |= !names.iter().any(|n| n.text == target.name.text);
                 if !names.iter().any(|n| n.text == target.name.text) {
                     let message = format!(
                         "`{}` is not a parameter of `{}`",
                         target.name.text, syntax.name.text
                     );
+                    let help = match missing.as_slice() {
+                        [name] => format!("did you mean `{}`?", name.text),
+                        _ => format!(
+                            "declare it on a line of its own to make it a parameter of the module, or write `{}({}) = …`",
+                            syntax.name.text,
+                            names
+                                .iter()
+                                .map(|n| n.text.as_str())
+                                .chain([target.name.text.as_str()])
+                                .collect::<Vec<_>>()
+                                .join(", ")
+                        ),
+                    };
                     self.report(
                         Diagnostic::error(target.name.span, message)
-                            .label(syntax.name.span, "the function is defined here")
-                            .help("a parameter of the module is declared on a line of its own, without `where`"),
+                            .label(syntax.name.span, "defined here")
+                            .help(help),
                     );
                 }
             }
@@ -89,19 +119,24 @@ impl<'a> Checker<'a> {
                 let declared = match place {
                     Some((declaration, target)) => self.declared(declaration, target),
                     None => {
-                        self.report(
-                            Diagnostic::error(
-                                name.span,
-                                format!(
-                                    "parameter `{}` of `{}` has no type",
-                                    name.text, syntax.name.text
-                                ),
-                            )
-                            .help(format!(
+                        // the name in the declaration may be misspelt; what could not be read may declare it
+                        let misspelt = strange && missing.len() == 1;
+                        let lost = self
+                            .resolved
+                            .module(self.module)
+                            .syntax
+                            .lost
+                            .contains(&name.text);
+                        if !misspelt && !lost {
+                            let message = format!(
+                                "parameter `{}` of `{}` has no type",
+                                name.text, syntax.name.text
+                            );
+                            self.report(Diagnostic::error(name.span, message).help(format!(
                                 "declare it after the definition, as in `where {} ∈ ℝ`",
                                 name.text
-                            )),
-                        );
+                            )));
+                        }
                         Declared {
                             ty: Type::Error,
                             within: None,
@@ -152,6 +187,10 @@ impl<'a> Checker<'a> {
         let mut parameters = Vec::new();
         for (name, declared) in declared {
             let variable = self.bind(&mut scope, name, declared.ty.clone());
+            let targets = syntax.declarations.iter().flat_map(|d| &d.targets);
+            if let Some(target) = targets.into_iter().find(|t| t.name.text == name.text) {
+                scope.spans.insert(name.text.clone(), target.name.span);
+            }
             parameters.push(Parameter {
                 name: name.text.clone(),
                 variable,
@@ -176,11 +215,11 @@ impl<'a> Checker<'a> {
             // the branches that do not recurse have given the type; check all of them with it
             let ty = self.ty(body).clone();
             if ty.is_error() {
-                if *self.diagnostics.sorted() == *before.sorted() {
-                    let message = format!("the type of `{}` cannot be found", syntax.name.text);
+                if *self.diagnostics.sorted() == *before.sorted() && !self.circular {
+                    let name = &syntax.name.text;
+                    let message = format!("`{name}` never ends: it needs itself in every case");
                     self.report(
-                        Diagnostic::error(syntax.name.span, message)
-                            .help("at least one branch of its definition must not call it"),
+                        Diagnostic::error(syntax.name.span, message).help("a branch that gives a value without calling it ends the recursion, as in `{ 1 if k < 1`"),
                     );
                 }
             } else {
@@ -302,7 +341,9 @@ impl<'a> Checker<'a> {
                     Diagnostic::error(signature.span, message)
                         .here(signature.shown.clone())
                         .label(other.span, other.shown)
-                        .help("overloads must differ in the types of their parameters"),
+                        .help(
+                            "definitions of one name must differ in the types of their parameters",
+                        ),
                 );
             }
         }

@@ -2,7 +2,6 @@
 
 use super::Checker;
 use super::operator::extents;
-use super::subscript::with_article;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
 use crate::syntax::ast::{Expr, ExprKind};
@@ -42,7 +41,7 @@ impl<'a> Checker<'a> {
                     length.clone()
                 }
                 _ => {
-                    let given = with_article(&ty);
+                    let given = ty.described();
                     return self.report(
                         Diagnostic::error(item.span, format!("{given} cannot be an entry of a vector"))
                             .here(format!("this is {given}"))
@@ -109,8 +108,8 @@ impl<'a> Checker<'a> {
         }
         if ty != Type::INTEGER {
             self.report(
-                Diagnostic::error(e.span, format!("a size cannot be {}", with_article(&ty)))
-                    .here(format!("this is {}", with_article(&ty)))
+                Diagnostic::error(e.span, format!("a size cannot be {}", ty.described()))
+                    .here(format!("this is {}", ty.described()))
                     .help("sizes are integers"),
             );
             return None;
@@ -164,7 +163,7 @@ impl<'a> Checker<'a> {
         match ty.shape().and_then(extents) {
             Some((rows, columns)) => Some(Cell::Block(self.real(value), rows, columns)),
             None => {
-                let given = with_article(&ty);
+                let given = ty.described();
                 self.report(
                     Diagnostic::error(cell.span, format!("{given} cannot be a block of a matrix"))
                         .here(format!("this is {given}"))

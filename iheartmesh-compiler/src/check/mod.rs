@@ -4,6 +4,7 @@
 //! An expression in error has the type [`Type::Error`], which agrees with everything, so that one cause gives one
 //! message. **Invariant:** when no error was reported, later stages meet no mistake of the user any more.
 
+mod arguments;
 mod builtin;
 mod call;
 mod condition;
@@ -14,12 +15,14 @@ mod expr;
 mod fold;
 mod function;
 mod matrix;
+mod norm;
 mod operator;
 mod scope;
 mod set;
 mod subscript;
+mod wording;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind, Program, VariableId};
@@ -40,6 +43,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         module: ModuleId(0),
         scopes: Vec::new(),
         inputs: BTreeMap::new(),
+        declaring: BTreeSet::new(),
         definitions: BTreeMap::new(),
         functions: BTreeMap::new(),
         signatures: BTreeMap::new(),
@@ -48,9 +52,13 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         templates: BTreeMap::new(),
         index_uses: BTreeMap::new(),
         n_dynamic: 0,
+        circular: false,
+        misfits: BTreeSet::new(),
     };
     checker.declare_inputs();
+    checker.check_arguments();
     checker.module_items();
+    checker.untyped();
     checker.program
 }
 
@@ -72,6 +80,8 @@ struct Checker<'a> {
     scopes: Vec<Scope<'a>>,
     /// Values of the inputs, by item, declaration and target.
     inputs: BTreeMap<(usize, usize, usize), ExprId>,
+    /// Inputs whose declaration has been looked at.
+    declaring: BTreeSet<(usize, usize, usize)>,
     definitions: BTreeMap<(ModuleId, usize), Definition>,
     functions: BTreeMap<(ModuleId, usize), FunctionId>,
     signatures: BTreeMap<(ModuleId, usize), Signature>,
@@ -79,6 +89,10 @@ struct Checker<'a> {
     results: BTreeMap<FunctionId, Type>,
     /// Functions that have been called while they were being checked.
     recursive: Vec<FunctionId>,
+    /// Whether a definition needs its own value, which has been reported.
+    circular: bool,
+    /// Arguments of imported modules that do not fit, which has been reported.
+    misfits: BTreeSet<(ModuleId, String)>,
     /// Sizes that the arguments of the function being checked bring along.
     templates: BTreeMap<String, ExprId>,
     /// For indices whose range follows from their use: where they index, with the size there.
@@ -107,6 +121,7 @@ impl<'a> Checker<'a> {
         self.program.arena.add(Kind::Fail, Type::Error)
     }
 
+    #[track_caller]
     fn unsupported(&mut self, span: Span, what: &str) -> ExprId {
         self.report(
             Diagnostic::error(span, format!("{what} not supported yet"))
@@ -120,6 +135,11 @@ impl<'a> Checker<'a> {
 
     fn is_error(&self, e: ExprId) -> bool {
         self.ty(e).is_error()
+    }
+
+    /// Whether it is in error: an empty set, whose type follows from its place, is not.
+    fn is_wrong(&self, e: ExprId) -> bool {
+        self.is_error(e) && !self.is_empty_set(e)
     }
 
     fn add(&mut self, kind: Kind, ty: Type) -> ExprId {
@@ -152,20 +172,44 @@ impl<'a> Checker<'a> {
                     }
                 }
                 ItemKind::Expression(expr) => {
+                    let value = self.expr(expr);
+                    if self.is_error(value) {
+                        continue;
+                    }
                     if index != last {
                         self.report(
                             Diagnostic::error(item.span, "the value of this expression is not used")
-                                .help("only the last expression of a module is its value `ret`; name this one"),
+                                .help("give it a name, as in `y = …`; only the last line of a module may be a value without one"),
                         );
                         continue;
                     }
-                    let value = self.expr(expr);
                     self.export_global("ret", value, item.span);
                 }
             }
         }
         for (index, function) in self.program.functions.iter_mut().enumerate() {
             function.recursive |= self.recursive.contains(&FunctionId(index as u32));
+        }
+    }
+
+    /// Reports definitions without a type, if nothing else was reported.
+    fn untyped(&mut self) {
+        if self.diagnostics.has_errors() {
+            return;
+        }
+        let functions = self.program.functions.iter().map(|f| (&f.ty, f.span));
+        let arena = &self.program.arena;
+        let globals = self
+            .program
+            .globals
+            .iter()
+            .map(|g| (arena.ty(g.value), g.span));
+        let untyped = functions.chain(globals).find(|(ty, _)| ty.is_error());
+        if let Some((_, span)) = untyped {
+            self.report(
+                Diagnostic::error(span, "the type of this value does not follow from its definition")
+                    .help("the type of `{}` follows from the set that it is put together with, as in `S ∪ {}`"),
+            );
         }
     }
 

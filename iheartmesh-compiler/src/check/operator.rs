@@ -1,10 +1,12 @@
 //! Operators: which operands they take and what they give.
 
 use super::Checker;
+use super::wording::{KINDS, NOT_NUMBERS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
 use crate::span::Span;
-use crate::syntax::ast::{BinaryOp, Expr, ExprKind, NormSubscript, UnaryOp};
+use crate::syntax::ast::{BinaryOp, Expr, ExprKind, UnaryOp};
+use crate::types::display::plural;
 use crate::types::{Dimension, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
@@ -82,11 +84,16 @@ impl<'a> Checker<'a> {
                     UnaryOp::PseudoInverse => ("take the pseudo-inverse of", "matrices"),
                     UnaryOp::Size => ("take the size of", "sets, sequences, vectors and matrices"),
                 };
-                self.report(
-                    Diagnostic::error(e.span, format!("cannot {name} {ty}"))
-                        .label(operand.span, format!("this is {ty}"))
-                        .help(format!("it is defined for {takes}")),
-                )
+                let help = match ty.is_element() {
+                    true => NOT_NUMBERS.to_owned(),
+                    false => format!("only {takes} have this operation"),
+                };
+                let message = format!("cannot {name} {}", ty.described());
+                let diagnostic = Diagnostic::error(e.span, message)
+                    .label(operand.span, format!("this is {}", ty.described()))
+                    .help(help);
+                let diagnostic = self.with_origins(diagnostic, &[operand]);
+                self.report(diagnostic)
             }
         }
     }
@@ -171,7 +178,7 @@ impl<'a> Checker<'a> {
     ) -> ExprId {
         let a = self.expr(left);
         let b = self.expr(right);
-        if self.is_error(a) || self.is_error(b) {
+        if self.is_wrong(a) || self.is_wrong(b) {
             return self.error();
         }
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
@@ -199,7 +206,13 @@ impl<'a> Checker<'a> {
                     let ty = self.ty(a).clone();
                     self.add(Kind::Binary(Binary::Divide, a, b), ty)
                 }
-                _ => self.mismatch(sides, "divide", "by", &ta, &tb, "the right side of `/` is a number"),
+                _ if ta.is_element() || tb.is_element() => {
+                    self.mismatch(sides, "divide", "by", &ta, &tb, NOT_NUMBERS)
+                }
+                _ if tb.is_scalar() => {
+                    self.mismatch(sides, "divide", "by", &ta, &tb, "numbers and vectors can be divided by a number")
+                }
+                _ => self.mismatch(sides, "divide", "by", &ta, &tb, "only a number can stand below; `‖u‖` is the length of a vector `u`"),
             },
             BinaryOp::Power => match (ta.shape(), tb.shape()) {
                 (Some(Shape::Scalar), Some(Shape::Scalar)) => {
@@ -216,7 +229,7 @@ impl<'a> Checker<'a> {
                 _ => self.mismatch(
                     sides,
                     "raise",
-                    "to the power",
+                    "to the power of",
                     &ta,
                     &tb,
                     "powers are defined for numbers and square matrices; write `‖u‖²` or `u⋅u` for a vector `u`",
@@ -326,7 +339,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn mismatch(
+    /// The operands do not fit. What is taken `from` something stands on the right.
+    #[track_caller]
+    pub(super) fn mismatch(
         &mut self,
         sides: Sides<'a>,
         verb: &str,
@@ -335,22 +350,24 @@ impl<'a> Checker<'a> {
         b: &Type,
         help: &str,
     ) -> ExprId {
-        self.report(
-            Diagnostic::error(
-                sides.left.span,
-                format!("cannot {verb} {a} {preposition} {b}"),
-            )
-            .here(format!("this is {a}"))
-            .label(sides.right.span, format!("this is {b}"))
-            .help(help),
-        )
+        let (left, right) = self.described_both(a, b);
+        let message = match preposition {
+            "from" => format!("cannot {verb} {right} {preposition} {left}"),
+            _ => format!("cannot {verb} {left} {preposition} {right}"),
+        };
+        let diagnostic = Diagnostic::error(sides.left.span, message)
+            .here(format!("this is {left}"))
+            .label(sides.right.span, format!("this is {right}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[sides.left, sides.right]);
+        self.report(diagnostic)
     }
 
     fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition) = match op {
             Binary::Add => ("add", "and"),
-            _ => ("subtract, from", "this:"),
+            _ => ("subtract", "from"),
         };
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
@@ -362,26 +379,41 @@ impl<'a> Checker<'a> {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
                 let (a, b) = (self.shaped(a, &shape), self.shaped(b, &shape));
                 let sparse = self.ty(a).is_sparse() && self.ty(b).is_sparse();
-                let ty = if sparse { self.ty(a).clone() } else { shape.real() };
+                let ty = if sparse {
+                    self.ty(a).clone()
+                } else {
+                    shape.real()
+                };
                 self.add(Kind::Binary(op, a, b), ty)
             }
-            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+            (Type::Element(_), _) | (_, Type::Element(_)) => {
+                self.mismatch(sides, verb, preposition, &ta, &tb, NOT_NUMBERS)
+            }
+            (Type::Scalar(_), Type::Vector { .. }) | (Type::Vector { .. }, Type::Scalar(_)) => self
+                .mismatch(
+                    sides,
+                    verb,
+                    preposition,
+                    &ta,
+                    &tb,
+                    "a number and a vector have no sum; `‖u‖` is the length of a vector `u`",
+                ),
+            (Type::Vector { .. }, Type::Vector { .. }) => self.mismatch(
                 sides,
                 verb,
                 preposition,
                 &ta,
                 &tb,
-                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+                "both vectors must have the same length",
             ),
-            (Type::Scalar(_), Type::Vector { .. }) | (Type::Vector { .. }, Type::Scalar(_)) => self.mismatch(
+            _ => self.mismatch(
                 sides,
                 verb,
                 preposition,
                 &ta,
                 &tb,
-                "a number and a vector have no sum; `‖u‖` is the length of a vector `u`",
+                "both sides must have the same type and size",
             ),
-            _ => self.mismatch(sides, verb, preposition, &ta, &tb, "both sides must have one type and size"),
         }
     }
 
@@ -409,9 +441,22 @@ impl<'a> Checker<'a> {
                 let (a, b) = (self.real(a), self.real(b));
                 self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL)
             }
-            _ if matches!((ta.shape(), tb.shape()), (Some(Shape::Matrix(..)), Some(_)) | (Some(_), Some(Shape::Matrix(..)))) => {
+            _ if matches!(
+                (ta.shape(), tb.shape()),
+                (Some(Shape::Matrix(..)), Some(_)) | (Some(_), Some(Shape::Matrix(..)))
+            ) =>
+            {
                 self.matrix_product(sides, a, b)
             }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot => self
+                .mismatch(
+                    sides,
+                    "take the dot product of",
+                    "and",
+                    &ta,
+                    &tb,
+                    "both vectors must have the same length",
+                ),
             (Type::Vector { .. }, Type::Vector { .. }) if !dot => self.mismatch(
                 sides,
                 "multiply",
@@ -429,18 +474,12 @@ impl<'a> Checker<'a> {
                     space: Some(space), ..
                 },
             ) => {
-                if columns.mesh != space.mesh {
-                    return self.owners(sides, *columns, *space);
-                }
                 if columns != space {
-                    return self.mismatch(
-                        sides,
-                        "multiply",
-                        "and",
-                        &ta,
-                        &tb,
-                        "the columns of the matrix and the entries of the chain must stand for the same elements",
-                    );
+                    let help = match columns.mesh == space.mesh {
+                        true => format!("this matrix takes chains of {}", plural(columns.kind)),
+                        false => ONE_MESH.to_owned(),
+                    };
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
                 }
                 let Kind::Boundary(boundary) = self.program.arena.kind(a).clone() else {
                     return self.unsupported(sides.left.span, "this product is");
@@ -458,24 +497,28 @@ impl<'a> Checker<'a> {
                 },
             ) => {
                 if columns.mesh != rows.mesh {
-                    return self.owners(sides, *columns, *rows);
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
                 }
-                let (left, right) = (sides.left.span, sides.right.span);
-                self.report(
-                    Diagnostic::error(left, "products of two boundary matrices are not supported yet")
-                        .label(right, format!("this is a {tb}"))
-                        .help("parenthesise the product of a matrix and a chain, as in `B (C δ)`"),
+                let diagnostic = Diagnostic::error(
+                    sides.e.span,
+                    "products of two boundary matrices are not supported yet",
                 )
+                .label(sides.left.span, format!("this is {}", ta.described()))
+                .label(sides.right.span, format!("this is {}", tb.described()))
+                .help("multiply the matrix on the right and the chain first, as in `B (C δ)`");
+                self.report(diagnostic)
             }
-            (Type::Element(_), _) | (_, Type::Element(_)) => self.mismatch(
+            (Type::Element(_), _) | (_, Type::Element(_)) => {
+                self.mismatch(sides, "multiply", "and", &ta, &tb, NOT_NUMBERS)
+            }
+            _ => self.mismatch(
                 sides,
                 "multiply",
                 "and",
                 &ta,
                 &tb,
-                "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`",
+                "numbers, vectors and matrices have products, sets and tuples have none",
             ),
-            _ => self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit"),
         }
     }
 
@@ -559,42 +602,19 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Values of two meshes that meet.
-    fn owners(
-        &mut self,
-        sides: Sides<'a>,
-        a: crate::types::Element,
-        b: crate::types::Element,
-    ) -> ExprId {
-        let (ma, mb) = (self.mesh_name(a.mesh), self.mesh_name(b.mesh));
-        self.report(
-            Diagnostic::error(
-                sides.e.span,
-                format!("elements of `{ma}` and of `{mb}` do not go together"),
-            )
-            .label(sides.left.span, format!("this is of `{ma}`"))
-            .label(sides.right.span, format!("this is of `{mb}`"))
-            .help("elements, sets and matrices of one expression must belong to one mesh"),
-        )
-    }
-
-    pub(super) fn mesh_name(&self, mesh: crate::types::MeshId) -> String {
-        self.program.mesh(mesh).name.clone()
-    }
-
     fn set_operation(&mut self, sides: Sides<'a>, op: SetOp, a: ExprId, b: ExprId) -> ExprId {
         let (mut ta, mut tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition, sign) = match op {
             SetOp::Union => ("unite", "and", "∪"),
             SetOp::Intersection => ("intersect", "and", "∩"),
-            SetOp::Difference => ("subtract, from", "this:", "-"),
+            SetOp::Difference => ("subtract", "from", "-"),
         };
         let (mut a, mut b) = (a, b);
         // an empty literal takes the type of the other side
-        if self.is_empty_set(a) {
+        if self.is_empty_set(a) && matches!(tb, Type::Set(_)) {
             ta = tb.clone();
             a = self.add(Kind::Set(Vec::new()), ta.clone());
-        } else if self.is_empty_set(b) {
+        } else if self.is_empty_set(b) && matches!(ta, Type::Set(_)) {
             tb = ta.clone();
             b = self.add(Kind::Set(Vec::new()), tb.clone());
         }
@@ -602,29 +622,28 @@ impl<'a> Checker<'a> {
             (Type::Set(x), Type::Set(y)) if x == y => self.add(Kind::SetOp(op, a, b), ta),
             (Type::Set(x), Type::Set(y)) => match (&**x, &**y) {
                 (Type::Element(x), Type::Element(y)) if x.mesh != y.mesh => {
-                    self.owners(sides, *x, *y)
+                    self.mismatch(sides, verb, preposition, &ta, &tb, ONE_MESH)
                 }
-                (Type::Element(_), Type::Element(_)) => self.mismatch(
-                    sides,
-                    verb,
-                    preposition,
-                    &ta,
-                    &tb,
-                    "vertices, edges, faces and cells are different kinds of elements",
-                ),
+                (Type::Element(_), Type::Element(_)) => {
+                    self.mismatch(sides, verb, preposition, &ta, &tb, KINDS)
+                }
                 _ => self.mismatch(
                     sides,
                     verb,
                     preposition,
                     &ta,
                     &tb,
-                    "both sets must have members of one type",
+                    "the members of both sets must have the same type",
                 ),
             },
             (Type::Set(item), other) if **item == *other => {
+                let member = match &sides.right.kind {
+                    ExprKind::Name(name) => name.text.as_str(),
+                    ExprKind::Integer(_) => "1",
+                    _ => "…",
+                };
                 let help = format!(
-                    "write `… {sign} {{{}}}` for the set with this one member",
-                    "a"
+                    "`{{{member}}}` is the set with this one member: `… {sign} {{{member}}}`"
                 );
                 self.mismatch(sides, verb, preposition, &ta, &tb, &help)
             }
@@ -638,203 +657,14 @@ impl<'a> Checker<'a> {
             ),
         }
     }
-
-    pub(super) fn norm(
-        &mut self,
-        e: &'a Expr,
-        double: bool,
-        operand: &'a Expr,
-        subscript: Option<&'a NormSubscript>,
-    ) -> ExprId {
-        let value = self.expr(operand);
-        let ty = self.ty(value).clone();
-        if ty.is_error() {
-            return value;
-        }
-        match (&ty, double) {
-            (Type::Scalar(number), false) if subscript.is_none() => {
-                self.add(Kind::Unary(Unary::Absolute, value), Type::Scalar(*number))
-            }
-            (Type::Set(_), false) if subscript.is_none() => {
-                self.add(Kind::Cardinality(value), Type::INTEGER)
-            }
-            (Type::Sequence { .. }, false) if subscript.is_none() => self.extent(value, 0),
-            (Type::Vector { space: None, .. }, true) => self.vector_norm(e, value, subscript),
-            (Type::Matrix { spaces: None, .. }, true) => self.matrix_norm(e, value, subscript),
-            (
-                Type::Matrix {
-                    rows,
-                    columns,
-                    spaces: None,
-                    ..
-                },
-                false,
-            ) if subscript.is_none() => {
-                if rows.differs(columns) {
-                    return self.not_square(e.span, "take the determinant of", operand.span, &ty);
-                }
-                self.real_unary(Unary::Determinant, value, Shape::Scalar)
-            }
-            (Type::Vector { .. }, false) => self.bars(
-                e.span,
-                &ty,
-                operand.span,
-                "write `‖u‖` for the length of a vector",
-            ),
-            (Type::Scalar(_), true) => self.bars(
-                e.span,
-                &ty,
-                operand.span,
-                "write `|a|` for the absolute value of a number",
-            ),
-            (Type::Set(_), true) => self.bars(
-                e.span,
-                &ty,
-                operand.span,
-                "write `|S|` for the number of members of a set",
-            ),
-            _ => self.bars(
-                e.span,
-                &ty,
-                operand.span,
-                "bars are defined for numbers, vectors, matrices, sets and sequences",
-            ),
-        }
-    }
-
-    fn vector_norm(
-        &mut self,
-        e: &'a Expr,
-        value: ExprId,
-        subscript: Option<&'a NormSubscript>,
-    ) -> ExprId {
-        let exponent = match subscript {
-            None => return self.real_unary(Unary::Norm, value, Shape::Scalar),
-            Some(NormSubscript::Infinity) => {
-                return self.real_unary(Unary::NormMax, value, Shape::Scalar);
-            }
-            Some(NormSubscript::Nuclear) => return self.norm_subscript(e.span, "a vector"),
-            Some(NormSubscript::Expr(p)) => p,
-        };
-        match exponent.kind {
-            ExprKind::Integer(0) => return self.real_unary(Unary::NormZero, value, Shape::Scalar),
-            ExprKind::Integer(1) => return self.real_unary(Unary::NormOne, value, Shape::Scalar),
-            ExprKind::Integer(2) => return self.real_unary(Unary::Norm, value, Shape::Scalar),
-            _ => {}
-        }
-        let p = self.expr(exponent);
-        let (tp, ty) = (self.ty(p).clone(), self.ty(value).clone());
-        match (tp.shape(), ty.shape()) {
-            (None, _) if tp.is_error() => p,
-            (Some(Shape::Scalar), _) => {
-                let (value, p) = (self.real(value), self.real(p));
-                self.add(Kind::Binary(Binary::NormPower, value, p), Type::REAL)
-            }
-            (Some(Shape::Matrix(n, m)), Some(Shape::Vector(k)))
-                if !n.differs(&k) && !m.differs(&k) =>
-            {
-                let (value, p) = (self.real(value), self.real(p));
-                self.add(Kind::Binary(Binary::NormWeighted, value, p), Type::REAL)
-            }
-            _ => self.norm_subscript(exponent.span, "a vector"),
-        }
-    }
-
-    fn matrix_norm(
-        &mut self,
-        e: &'a Expr,
-        value: ExprId,
-        subscript: Option<&'a NormSubscript>,
-    ) -> ExprId {
-        match subscript {
-            None => self.real_unary(Unary::Norm, value, Shape::Scalar),
-            Some(NormSubscript::Nuclear) => {
-                self.real_unary(Unary::NormNuclear, value, Shape::Scalar)
-            }
-            Some(NormSubscript::Expr(p)) if matches!(&p.kind, ExprKind::Name(n) if n.text == "F") => {
-                self.real_unary(Unary::Norm, value, Shape::Scalar)
-            }
-            Some(_) => self.norm_subscript(e.span, "a matrix"),
-        }
-    }
-
-    fn norm_subscript(&mut self, span: Span, of: &str) -> ExprId {
-        let help = match of {
-            "a vector" => {
-                "the norms of a vector are `‖u‖`, `‖u‖_p` with a number `p`, `‖u‖_∞`, and `‖u‖_P` with a square matrix `P`"
-            }
-            _ => {
-                "the norms of a matrix are `‖A‖` and `‖A‖_F`, the same, and `‖A‖_*`, the nuclear norm"
-            }
-        };
-        self.report(Diagnostic::error(span, format!("this is no norm of {of}")).help(help))
-    }
-
-    fn bars(&mut self, span: Span, ty: &Type, operand: Span, help: &str) -> ExprId {
-        self.report(
-            Diagnostic::error(span, format!("these bars are not defined for {ty}"))
-                .label(operand, format!("this is {ty}"))
-                .help(help),
-        )
-    }
-
-    pub(super) fn inner(
-        &mut self,
-        e: &'a Expr,
-        left: &'a Expr,
-        right: &'a Expr,
-        weight: Option<&'a Expr>,
-    ) -> ExprId {
-        let a = self.expr(left);
-        let b = self.expr(right);
-        let weight = weight.map(|w| (w, self.expr(w)));
-        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
-        if ta.is_error() || tb.is_error() || weight.is_some_and(|(_, w)| self.is_error(w)) {
-            return self.error();
-        }
-        if let (Some(Shape::Vector(n)), Some(Shape::Vector(m))) = (ta.shape(), tb.shape())
-            && !n.differs(&m)
-        {
-            let (a, b) = (self.real(a), self.real(b));
-            let Some((syntax, w)) = weight else {
-                return self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL);
-            };
-            let tw = self.ty(w).clone();
-            return match tw.shape() {
-                Some(Shape::Matrix(p, q)) if !p.differs(&n) && !q.differs(&n) => {
-                    let w = self.real(w);
-                    let weighted =
-                        self.add(Kind::Binary(Binary::Product, w, a), Type::real_vector(n));
-                    self.add(Kind::Binary(Binary::Dot, b, weighted), Type::REAL)
-                }
-                _ => self.report(
-                    Diagnostic::error(
-                        syntax.span,
-                        format!("the weight of an inner product in {ta} cannot be {tw}"),
-                    )
-                    .here(format!("this is {tw}"))
-                    .help("the weight is a square matrix with as many rows as the vectors"),
-                ),
-            };
-        }
-        let sides = Sides { e, left, right };
-        self.mismatch(
-            sides,
-            "take the inner product of",
-            "and",
-            &ta,
-            &tb,
-            "both sides must be vectors of one length",
-        )
-    }
 }
 
 /// An operator's expression with its operands, for messages.
 #[derive(Clone, Copy)]
-struct Sides<'a> {
-    e: &'a Expr,
-    left: &'a Expr,
-    right: &'a Expr,
+pub(super) struct Sides<'a> {
+    pub(super) e: &'a Expr,
+    pub(super) left: &'a Expr,
+    pub(super) right: &'a Expr,
 }
 
 /// Rows and columns: a number is 1×1, a vector has one column.

@@ -3,8 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::Checker;
+use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, VariableId};
 use crate::resolve::{Meaning, ModuleId};
+use crate::span::Span;
 use crate::syntax::ast::{self, Name};
 use crate::types::Type;
 
@@ -23,6 +25,8 @@ pub(super) enum Binding<'a> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scope<'a> {
     pub(super) names: BTreeMap<String, Binding<'a>>,
+    /// Where they are declared.
+    pub(super) spans: BTreeMap<String, Span>,
 }
 
 /// What a name stands for.
@@ -69,6 +73,7 @@ impl<'a> Checker<'a> {
         let variable = self.program.arena.new_variable(&name.text, ty);
         let value = self.program.arena.variable(variable);
         scope.names.insert(name.text.clone(), Binding::Value(value));
+        scope.spans.insert(name.text.clone(), name.span);
         variable
     }
 
@@ -77,17 +82,18 @@ impl<'a> Checker<'a> {
         for definition in locals {
             for (target, left) in definition.targets.iter().enumerate() {
                 let binding = Binding::Local(definition, target);
-                if scope
-                    .names
-                    .insert(left.name.text.clone(), binding)
-                    .is_some()
-                {
-                    let message = format!("`{}` is defined twice", left.name.text);
+                let text = &left.name.text;
+                if scope.names.insert(text.clone(), binding).is_some() {
+                    let before = scope.spans.get(text).copied();
+                    let message = format!("`{text}` is defined twice");
                     self.report(
-                        crate::diagnostic::Diagnostic::error(left.name.span, message)
-                            .help("local names and parameters of one function must differ"),
+                        Diagnostic::error(left.name.span, message)
+                            .here("defined again here")
+                            .label(before.unwrap_or(left.name.span), "declared here")
+                            .help("rename one of the two: the names of one definition must differ"),
                     );
                 }
+                scope.spans.insert(text.clone(), left.name.span);
             }
         }
     }
@@ -99,9 +105,11 @@ impl<'a> Checker<'a> {
                 None => {}
                 Some(Binding::Value(value)) => return Found::Value(*value),
                 Some(Binding::Open) => {
+                    let place = self.scopes[depth].spans.get(&name.text).copied();
                     let message = format!("the value of `{}` depends on itself", name.text);
                     self.report(
-                        crate::diagnostic::Diagnostic::error(name.span, message)
+                        Diagnostic::error(place.unwrap_or(name.span), message)
+                            .label(name.span, format!("`{}` is needed here again", name.text))
                             .help("local definitions may stand in any order, but not in a circle"),
                     );
                     return Found::Error;
@@ -151,8 +159,8 @@ impl<'a> Checker<'a> {
                     declaration,
                     target,
                 } => {
-                    return match self.inputs.get(&(*item, *declaration, *target)) {
-                        Some(value) => Found::Value(*value),
+                    return match self.input((*item, *declaration, *target)) {
+                        Some(value) => Found::Value(value),
                         None => Found::Error,
                     };
                 }
@@ -162,6 +170,9 @@ impl<'a> Checker<'a> {
                         Some(value) => Found::Value(*value),
                         None => Found::Error,
                     };
+                }
+                Meaning::Argument(..) if self.misfits.contains(&(module, name.to_owned())) => {
+                    return Found::Error;
                 }
                 Meaning::Argument(other, name) | Meaning::Import(other, name) => {
                     match self.find_in_module(*other, name) {

@@ -2,7 +2,6 @@
 
 use super::Checker;
 use super::scope::Scope;
-use super::subscript::with_article;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
 use crate::resolve::symbols::count;
@@ -27,13 +26,20 @@ impl<'a> Checker<'a> {
                     ty = Type::REAL;
                 }
             } else if other != ty {
-                let (a, b) = (with_article(&ty), with_article(&other));
-                return self.report(
-                    Diagnostic::error(syntax.span, format!("a set cannot hold {a} and {b}"))
+                let (a, b) = self.described_both(&ty, &other);
+                let help = match ty.is_element() && other.is_element() {
+                    true => {
+                        "a set has elements of one kind and one mesh; `tuple(a, b)` holds any two"
+                    }
+                    false => "all members of a set have the same type; `tuple(a, b)` holds any two",
+                };
+                let diagnostic =
+                    Diagnostic::error(syntax.span, format!("a set cannot hold both {a} and {b}"))
                         .here(format!("this is {b}"))
                         .label(items[0].span, format!("this is {a}"))
-                        .help("all members of a set have one type"),
-                );
+                        .help(help);
+                let diagnostic = self.with_origins(diagnostic, &[syntax, &items[0]]);
+                return self.report(diagnostic);
             }
         }
         let values = values.into_iter().map(|v| self.convert(v, &ty)).collect();
@@ -88,14 +94,19 @@ impl<'a> Checker<'a> {
             return None;
         }
         let Type::Set(member) = &ty else {
-            self.report(
-                Diagnostic::error(
-                    range.span,
-                    format!("`∈` needs a set on its right, not {}", with_article(&ty)),
-                )
-                .here(format!("this is {}", with_article(&ty)))
-                .help("an index runs over a set, as in `∑_(f ∈ Faces(v))`"),
-            );
+            let found = ty.described();
+            let help = match ty {
+                Type::Scalar(_) => {
+                    "an index runs over a set; from 1 to `n` it runs in `∑_(i = 1)^n`"
+                }
+                _ => "an index runs over a set, as in `∑_(f ∈ Faces(v))`",
+            };
+            let message = format!("`∈` needs a set on its right, not {found}");
+            let diagnostic = Diagnostic::error(range.span, message)
+                .here(format!("this is {found}"))
+                .help(help);
+            let diagnostic = self.with_origins(diagnostic, &[range]);
+            self.report(diagnostic);
             return None;
         };
         let mut scope = Scope::default();
@@ -107,14 +118,20 @@ impl<'a> Checker<'a> {
             Type::Tuple(items) if items.len() == names.len() => items,
             other => {
                 let last = names.last().unwrap_or(&names[0]);
-                self.report(
-                    Diagnostic::error(
-                        names[0].span.to(last.span),
-                        format!("{} for {}", count(names.len(), "name"), with_article(other)),
-                    )
-                    .label(range.span, format!("this is a {ty}"))
-                    .help("a set of pairs takes two names; write one sum inside another for all pairs of a set"),
+                let message = format!(
+                    "cannot take {} apart into {}",
+                    other.described(),
+                    count(names.len(), "name")
                 );
+                let help = match other {
+                    Type::Tuple(items) => format!("give {}", count(items.len(), "name")),
+                    _ => "each name for all members has a sum or set of its own, as in `∑_(i ∈ S) ∑_(j ∈ S)`".to_owned(),
+                };
+                let diagnostic = Diagnostic::error(names[0].span.to(last.span), message)
+                    .label(range.span, format!("this is {}", ty.described()))
+                    .help(help);
+                let diagnostic = self.with_origins(diagnostic, &[range]);
+                self.report(diagnostic);
                 return None;
             }
         };
@@ -125,6 +142,7 @@ impl<'a> Checker<'a> {
             scope
                 .names
                 .insert(name.text.clone(), super::scope::Binding::Value(item));
+            scope.spans.insert(name.text.clone(), name.span);
         }
         Some((whole, set, scope))
     }

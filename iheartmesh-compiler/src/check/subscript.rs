@@ -1,9 +1,11 @@
 //! Subscripts.
 
 use super::Checker;
+use super::wording::{ONE_MESH, called};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
 use crate::syntax::ast::{Expr, Subscript};
+use crate::types::display::plural;
 use crate::types::{Element, Number, Type};
 
 impl<'a> Checker<'a> {
@@ -46,26 +48,30 @@ impl<'a> Checker<'a> {
             },
             Type::Vector { .. } | Type::Set(_) | Type::Tuple(_) | Type::CellularSet(_) => 1,
             other => {
-                return self.report(
-                    Diagnostic::error(e.span, format!("{other} takes no subscript"))
-                        .label(base.span, format!("this is {other}"))
-                        .help("subscripts index vectors, matrices, sequences, sets and tuples, and call functions"),
-                );
+                let diagnostic =
+                    Diagnostic::error(e.span, format!("{} takes no subscript", called(base)))
+                        .label(base.span, format!("this is {}", other.described()))
+                        .help("subscripts index vectors, matrices, sequences, sets and tuples; they are arguments of functions");
+                let diagnostic = self.with_origins(diagnostic, &[base]);
+                return self.report(diagnostic);
             }
         };
         if indices.len() != takes {
-            return self.report(
-                Diagnostic::error(
-                    e.span,
-                    format!(
-                        "{ty} takes {} but is given {}",
-                        n_subscripts(takes),
-                        indices.len()
-                    ),
-                )
-                .label(base.span, format!("this is {ty}"))
-                .help("subscripts are separated by commas without spaces, as in `A_i,j`"),
+            let message = format!(
+                "{} takes {} but is given {}",
+                called(base),
+                n_subscripts(takes),
+                indices.len()
             );
+            let help = match takes {
+                1 => "write one subscript, as in `x_i`; entries of entries take two, as in `x_i,1`",
+                _ => "commas without blanks separate subscripts, as in `A_i,j`",
+            };
+            let diagnostic = Diagnostic::error(e.span, message)
+                .label(base.span, format!("this is {}", ty.described()))
+                .help(help);
+            let diagnostic = self.with_origins(diagnostic, &[base]);
+            return self.report(diagnostic);
         }
         match ty {
             Type::Matrix {
@@ -76,7 +82,9 @@ impl<'a> Checker<'a> {
                     return self.unsupported(e.span, "this subscript is");
                 };
                 let (row, column) = (indices[0], indices[1]);
-                if !self.is_index_of(row, rows, base) || !self.is_index_of(column, columns, base) {
+                if !self.is_index_of(row, rows, base, "the rows of ")
+                    || !self.is_index_of(column, columns, base, "the columns of ")
+                {
                     return self.error();
                 }
                 self.add(Kind::Entry(boundary, row.1, column.1), Type::INTEGER)
@@ -84,7 +92,7 @@ impl<'a> Checker<'a> {
             Type::Matrix { number, .. } => self.entry(e, value, [indices[0], indices[1]], number),
             Type::Sequence { item, index, .. } => {
                 if let Some(element) = index {
-                    if !self.is_index_of(indices[0], element, base) {
+                    if !self.is_index_of(indices[0], element, base, "") {
                         return self.error();
                     }
                 } else if !self.is_index(indices[0]) {
@@ -135,12 +143,21 @@ impl<'a> Checker<'a> {
                 let k = *k as usize - 1;
                 self.project(value, k, items[k].clone())
             }
+            Kind::Integer(k) => {
+                let message = format!("a tuple of {n} items has no item {k}");
+                self.report(
+                    Diagnostic::error(index.0.span, message)
+                        .help(format!("items are numbered from 1 to {n}")),
+                )
+            }
             _ => self.report(
                 Diagnostic::error(
                     index.0.span,
-                    "an item of a tuple is chosen by a number that stands in the text",
+                    "which item of a tuple is meant must stand in the text",
                 )
-                .help(format!("write a number from 1 to {n}")),
+                .help(format!(
+                    "write a number from 1 to {n}; the items may differ in type"
+                )),
             ),
         }
     }
@@ -293,9 +310,12 @@ impl<'a> Checker<'a> {
             return true;
         }
         self.report(
-            Diagnostic::error(index.0.span, format!("{ty} cannot index {what}"))
-                .here(format!("this is {ty}"))
-                .help("the entries are numbered by integers, from 1"),
+            Diagnostic::error(
+                index.0.span,
+                format!("{} cannot index {what}", ty.described()),
+            )
+            .here(format!("this is {}", ty.described()))
+            .help("the entries are numbered by integers, from 1"),
         );
         false
     }
@@ -306,49 +326,48 @@ impl<'a> Checker<'a> {
             return true;
         }
         self.report(
-            Diagnostic::error(index.0.span, format!("{ty} cannot index a sequence"))
-                .here(format!("this is {ty}"))
-                .help("a sequence is indexed by integers, from 1, or by elements of a mesh"),
+            Diagnostic::error(
+                index.0.span,
+                format!("{} cannot index a sequence", ty.described()),
+            )
+            .here(format!("this is {}", ty.described()))
+            .help("a sequence is indexed by integers, from 1, or by elements of a mesh"),
         );
         false
     }
 
-    /// Whether an index is an element of the kind and mesh that index this.
-    fn is_index_of(&mut self, index: (&'a Expr, ExprId), element: Element, base: &Expr) -> bool {
+    /// Whether an index is an element of the kind and mesh that index this; `part` says which subscript of a matrix.
+    fn is_index_of(
+        &mut self,
+        index: (&'a Expr, ExprId),
+        element: Element,
+        base: &Expr,
+        part: &str,
+    ) -> bool {
         let ty = self.ty(index.1).clone();
         let expected = Type::Element(element);
         if ty == expected {
             return true;
         }
-        let diagnostic = match &ty {
-            Type::Element(other) if other.kind == element.kind => {
-                let (here, there) = (self.mesh_name(other.mesh), self.mesh_name(element.mesh));
-                Diagnostic::error(
-                    index.0.span,
-                    format!("an element of `{here}` indexes what belongs to `{there}`"),
-                )
-                .here(format!("this is a {expected} of `{here}`"))
-                .label(
-                    base.span,
-                    format!("this is indexed by the {expected} of `{there}`"),
-                )
-                .help("elements, sets and matrices of one expression must belong to one mesh")
-            }
-            _ => Diagnostic::error(
-                index.0.span,
-                format!(
-                    "{} indexes what is indexed by {}",
-                    with_article(&ty),
-                    with_article(&expected)
-                ),
-            )
-            .here(format!("this is {}", with_article(&ty)))
-            .label(
-                base.span,
-                format!("its index here is {}", with_article(&expected)),
-            )
-            .help(format!("use {} as the index", with_article(&expected))),
+        let (given, takes) = self.described_both(&ty, &expected);
+        let of = match ty.owner() {
+            Some(mesh) if mesh != element.mesh => format!(" of `{}`", self.mesh_name(element.mesh)),
+            _ => String::new(),
         };
+        let message = format!(
+            "{part}{} {} indexed by {}{of}, not by {given}",
+            called(base),
+            if part.is_empty() { "is" } else { "are" },
+            plural(element.kind)
+        );
+        let help = match &ty {
+            Type::Element(other) if other.kind == element.kind => ONE_MESH.to_owned(),
+            _ => format!("write {takes} as this subscript"),
+        };
+        let diagnostic = Diagnostic::error(index.0.span, message)
+            .here(format!("this is {given}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[base, index.0]);
         self.report(diagnostic);
         false
     }
@@ -369,15 +388,4 @@ impl<'a> Checker<'a> {
 
 fn n_subscripts(n: usize) -> String {
     crate::resolve::symbols::count(n, "subscript")
-}
-
-/// `a vertex`, `an edge`, `ℝ³`.
-pub(super) fn with_article(ty: &Type) -> String {
-    match ty {
-        Type::Element(element) if element.kind == crate::types::ElementKind::Edge => {
-            "an edge".to_owned()
-        }
-        Type::Element(element) => format!("a {}", element.kind),
-        other => other.to_string(),
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::symbols::{Resolver, count};
+use super::symbols::{Resolver, count, given};
 use super::{Meaning, ModuleId, Symbol};
 use crate::diagnostic::Diagnostic;
 use crate::syntax::ast::{self, Import, ItemKind, Name, Type, TypeKind};
@@ -231,14 +231,6 @@ fn define_error(symbols: &mut BTreeMap<String, Symbol>, name: &Name) {
         meanings: Vec::new(),
         span: name.span,
     });
-}
-
-/// How a message says how many were given.
-pub fn given(n: usize) -> String {
-    match n {
-        0 => "none".to_owned(),
-        n => n.to_string(),
-    }
 }
 
 fn list(names: &[String]) -> String {

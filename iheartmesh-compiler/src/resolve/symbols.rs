@@ -170,6 +170,8 @@ impl Resolver<'_> {
             return;
         }
         let first = (before.meanings[0].clone(), before.span);
+        // how it is used fits at most one of the two
+        before.meanings.clear();
         self.twice(name, first, (meaning, name.span));
     }
 
@@ -268,6 +270,14 @@ pub fn walk_definition(d: &Definition, found: &mut dyn FnMut(&Name)) -> Vec<Name
 /// `1 argument`, `2 arguments`.
 pub fn count(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
+/// How a message says how many were given.
+pub fn given(n: usize) -> String {
+    match n {
+        0 => "none".to_owned(),
+        n => n.to_string(),
+    }
 }
 
 /// Where messages about an item point to: the names that it defines.

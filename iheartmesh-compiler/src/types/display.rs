@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Dimension, ElementKind, MeshKind, Number, Type};
+use super::{Dimension, ElementKind, MeshId, MeshKind, Number, Type};
 
 impl fmt::Display for ElementKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -132,6 +132,48 @@ impl fmt::Display for Type {
             }
             Type::Mesh(kind, _) => write!(f, "{kind}"),
             Type::Error => f.write_str("?"),
+        }
+    }
+}
+
+impl Type {
+    /// How a sentence calls a value of this type: `a vertex`, `an edge`, `a set of faces`, `ℝ³`.
+    pub fn described(&self) -> String {
+        let article = match self {
+            Type::Element(_)
+            | Type::Vector { space: Some(_), .. }
+            | Type::Matrix {
+                spaces: Some(_), ..
+            }
+            | Type::Sequence { .. }
+            | Type::CellularSet(_)
+            | Type::Mesh(..) => true,
+            Type::Set(item) if item.is_error() => return "an empty set".to_owned(),
+            Type::Set(item) => item.is_element(),
+            Type::Tuple(_) => return format!("a tuple {self}"),
+            Type::Function { .. } => return format!("a function {self}"),
+            _ => false,
+        };
+        let text = self.to_string();
+        match article {
+            true if text.starts_with(['e', 'E']) => format!("an {text}"),
+            true => format!("a {text}"),
+            false => text,
+        }
+    }
+
+    /// The mesh that a value of this type belongs to.
+    pub fn owner(&self) -> Option<MeshId> {
+        match self {
+            Type::Element(element) => Some(element.mesh),
+            Type::Vector { space, .. } => space.map(|space| space.mesh),
+            Type::Matrix { spaces, .. } => spaces.map(|(rows, _)| rows.mesh),
+            Type::Sequence { index, .. } => index.map(|index| index.mesh),
+            Type::Set(item) => item.owner(),
+            Type::Tuple(items) => items.iter().find_map(Type::owner),
+            Type::CellularSet(mesh) => *mesh,
+            Type::Mesh(_, mesh) => Some(*mesh),
+            _ => None,
         }
     }
 }

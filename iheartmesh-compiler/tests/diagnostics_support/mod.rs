@@ -13,6 +13,7 @@
 
 use std::path::{Path, PathBuf};
 
+use iheartmesh_compiler::diagnostic::Diagnostics;
 use iheartmesh_compiler::optimize::Optimizations;
 use iheartmesh_compiler::render::render_all;
 use iheartmesh_compiler::source::Source;
@@ -168,9 +169,31 @@ pub fn print(cases: &[Case]) -> String {
     cases.collect::<Vec<_>>().join("\n")
 }
 
+/// All cases of all folders, with the name of their file.
+pub fn all_cases() -> Vec<(String, Case)> {
+    ["parse", "resolve", "check"]
+        .into_iter()
+        .flat_map(|name| files(&folder(name)))
+        .flat_map(|file| {
+            let name = file.display().to_string();
+            parse(&read(&file))
+                .into_iter()
+                .map(move |case| (name.clone(), case))
+        })
+        .collect()
+}
+
 /// A folder of cases.
 pub fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("tests/diagnostics")
         .join(name)
+}
+/// The places in the compiler where these messages were made.
+pub fn origins(diagnostics: &Diagnostics) -> Vec<String> {
+    diagnostics
+        .sorted()
+        .into_iter()
+        .map(|d| format!("{}:{}", d.raised.file(), d.raised.line()))
+        .collect()
 }

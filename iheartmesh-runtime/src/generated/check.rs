@@ -94,15 +94,16 @@ pub fn check_cellular_set(
     parameter: &str,
     set: &CellularSet,
     complex: &CellComplex,
+    mesh: &str,
 ) -> Result<(), Error> {
     let n = |dimension| match dimension <= complex.dimension() {
         true => complex.n(dimension),
         false => 0,
     };
-    check_set_argument(function, parameter, &set.vertices, n(0), "the mesh")?;
-    check_set_argument(function, parameter, &set.edges, n(1), "the mesh")?;
-    check_set_argument(function, parameter, &set.faces, n(2), "the mesh")?;
-    check_set_argument(function, parameter, &set.cells, n(3), "the mesh")
+    check_set_argument(function, parameter, &set.vertices, n(0), mesh)?;
+    check_set_argument(function, parameter, &set.edges, n(1), mesh)?;
+    check_set_argument(function, parameter, &set.faces, n(2), mesh)?;
+    check_set_argument(function, parameter, &set.cells, n(3), mesh)
 }
 
 #[cold]
@@ -139,6 +140,24 @@ pub fn check_length(
         found,
         expected,
         because: format!("{expected} {elements} of `{mesh}`"),
+    })
+}
+
+/// The lengths of two sequences with one subscript letter.
+pub fn check_same_length(
+    first: &str,
+    first_length: usize,
+    second: &str,
+    second_length: usize,
+) -> Result<(), Error> {
+    if first_length == second_length {
+        return Ok(());
+    }
+    Err(Error::Disagree {
+        first: first.to_owned(),
+        first_length,
+        second: second.to_owned(),
+        second_length,
     })
 }
 

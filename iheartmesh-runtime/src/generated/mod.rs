@@ -17,7 +17,7 @@ pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element, check_length, check_member,
-    check_members, check_set, check_set_argument, check_size, fail, undefined,
+    check_members, check_same_length, check_set, check_set_argument, check_size, fail, undefined,
 };
 pub use dense::*;
 pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};

@@ -8,10 +8,10 @@ use quote::{format_ident, quote};
 use super::block::{Body, Mode, variable_ident};
 use super::{Context, Header, docs, names};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::ir::{Export, ExprId, FunctionId, GlobalId, Input, InputId, Kind};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, InputId, Kind};
 use crate::optimize::Plan;
 use crate::span::Span;
-use crate::types::{Element, Type};
+use crate::types::Type;
 
 /// All items of a program.
 pub(super) fn items(
@@ -219,7 +219,7 @@ impl Context<'_> {
             .collect();
         let checks = self
             .values()
-            .map(|(id, input)| self.check(id, input, false));
+            .map(|(id, input)| self.input_checks(id, input, false));
         let (size_names, size_values): (Vec<_>, Vec<_>) = self.size_sources().into_iter().unzip();
         quote! {
             pub struct Topology<'a> {
@@ -417,38 +417,6 @@ impl Context<'_> {
         }
     }
 
-    /// Checks an input, which is at hand under its field's name, against the meshes and the inputs before it.
-    pub(super) fn check(&self, id: InputId, input: &Input, again: bool) -> TokenStream {
-        let field = self.input_field(id);
-        let name = &input.name;
-        let mut checks = TokenStream::new();
-        if let Type::Element(element) = input.ty {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_element(#name, #field, #n, #mesh)?;));
-        }
-        if let Some(element) = input.ty.element_of_set() {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_set(#name, #field.as_ref(), #n, #mesh)?;));
-        }
-        if let Type::Sequence { index, .. } = &input.ty {
-            let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
-            let indexed: BTreeSet<Element> = indexed.into_iter().collect();
-            let exact = indexed.len() == 1;
-            for element in indexed {
-                let n = self.count(element);
-                let mesh = &self.program().mesh(element.mesh).name;
-                let kind = crate::types::display::plural(element.kind);
-                checks.extend(
-                    quote!(rt::check_length(#name, #field.as_ref().len(), #n, #exact, #mesh, #kind)?;),
-                );
-            }
-        }
-        checks.extend(self.size_checks(id, input, again));
-        checks
-    }
-
     /// The methods that set new values.
     fn setters(&self, rust_names: &mut RustNames<'_>) -> TokenStream {
         let krate = self.krate;
@@ -465,7 +433,7 @@ impl Context<'_> {
             let ty = self.parameter_type(&input.ty, &quote!('a));
             let field = self.input_field(id);
             let value = held_value(&input.ty, quote!(value));
-            let check = self.check(id, input, true);
+            let check = self.input_checks(id, input, true);
             let updates = self.size_updates(id, input);
             // other inputs are at hand for the check
             let others = self

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::item::RustNames;
 use super::{Context, docs, names};
-use crate::ir::{Function, FunctionId, GlobalId, Kind, Parameter};
+use crate::ir::{Function, FunctionId, GlobalId, Parameter};
 use crate::types::Type;
 
 /// The methods, and what they need in the private module.
@@ -156,39 +156,6 @@ impl Context<'_> {
         quote!(#path(#receiver #(, #arguments)*))
     }
 
-    /// Checks the arguments of a method, which are at hand under their Rust names.
-    fn argument_checks(&self, function: &Function) -> TokenStream {
-        function
-            .parameters
-            .iter()
-            .map(|p| {
-                let name = names::ident(&names::rust_name(&p.name));
-                let (called, written, set) = (&function.name, &p.name, &p.within_name);
-                if let Some(members) = self.all_elements(p) {
-                    return match p.ty.is_element() {
-                        true => quote!(rt::check_member(#called, #written, #name, #members, #set)?;),
-                        false => quote!(rt::check_members(#called, #written, #name.as_ref(), #members, #set)?;),
-                    };
-                }
-                match (&p.ty, p.ty.element_of_set()) {
-                    (Type::Element(element), _) => {
-                        let n = self.count(*element);
-                        quote!(rt::check_argument(#called, #written, #name, #n, #set)?;)
-                    }
-                    (_, Some(element)) => {
-                        let n = self.count(element);
-                        quote!(rt::check_set_argument(#called, #written, #name.as_ref(), #n, #set)?;)
-                    }
-                    (Type::CellularSet(Some(mesh)), _) => {
-                        let mesh = self.mesh_field(*mesh);
-                        quote!(rt::check_cellular_set(#called, #written, #name.as_ref(), t.#mesh.complex())?;)
-                    }
-                    _ => TokenStream::new(),
-                }
-            })
-            .collect()
-    }
-
     fn conversions(&self, function: &Function) -> TokenStream {
         function
             .parameters
@@ -311,7 +278,7 @@ impl Context<'_> {
             true => quote!(t),
             false => quote!(s),
         };
-        let values = match self.all_elements(&function.parameters[0]) {
+        let values = match self.members(function.parameters[0].within) {
             Some(set) => quote!(rt::for_each_of(#set, |v| #module::#inner(#receiver, v))),
             None => match self
                 .staged
@@ -357,36 +324,6 @@ impl Context<'_> {
                     ),
                 }
             }
-        }
-    }
-
-    /// The set that a parameter is declared a member of, where that is not all elements of its kind.
-    fn all_elements(&self, parameter: &Parameter) -> Option<TokenStream> {
-        let within = parameter.within?;
-        let krate = self.krate;
-        match self.program().arena.kind(within) {
-            Kind::AllElements(_) => None,
-            Kind::Global(id) => {
-                let name = self.global_name(*id);
-                let receiver = match self.is_static_global(*id) {
-                    true => quote!(t),
-                    false => quote!(s),
-                };
-                let written = &self.program().global(*id).name;
-                Some(quote! {
-                    match #receiver.#name() {
-                        ::std::result::Result::Ok(set) => &set[..],
-                        ::std::result::Result::Err(fault) => {
-                            return ::std::result::Result::Err(#krate::__private::undefined(#written, &[], fault));
-                        }
-                    }
-                })
-            }
-            Kind::Input(id) => {
-                let field = self.input_field(*id);
-                Some(quote!(&rt::ids_of_set(s.#field.as_ref())[..]))
-            }
-            _ => None,
         }
     }
 

@@ -195,7 +195,10 @@ impl Context<'_> {
                 // the one is compared with the mesh, the other is in the type
                 continue;
             }
-            if axis.dimension.value().is_some() {
+            if axis.dimension.value().is_some()
+                || matches!(axis.dimension.as_atom(), Some(Atom::Length(_)))
+            {
+                // lengths with one letter are compared with each other
                 continue;
             }
             let source = axis

@@ -46,22 +46,6 @@ impl Parser<'_> {
         module
     }
 
-    /// Whether the text of an item has a mistake below the level of tokens.
-    fn is_damaged(&self, item: &ItemNames) -> bool {
-        let first = self.tokens[item.range.start].start;
-        let end = self.tokens[item.range.end].start;
-        let mut places = self.damaged.iter();
-        places.any(|span| (first..end).contains(&span.start))
-    }
-
-    fn lose(&self, item: &ItemNames, lost: &mut BTreeSet<String>) {
-        for token in &self.tokens[item.range.start..item.range.end.max(self.at)] {
-            if let Kind::Name(id) | Kind::Function(id) = token.kind {
-                lost.insert(self.texts.get(id).to_owned());
-            }
-        }
-    }
-
     fn at_end(&mut self) -> bool {
         matches!(self.kind(), Kind::Newline | Kind::End)
     }
