@@ -1,25 +1,16 @@
 //! Calls: which function is meant, whether its arguments fit.
 
-use std::collections::BTreeMap;
-
 use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
+use super::sizes::{Fit, Sizes, fit, fit_alone, fits, with_sizes};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, FunctionId, Kind};
 use crate::resolve::symbols::{count, given};
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
-use crate::types::{Dimension, Shape, Type};
-
-/// How well an argument fits a parameter: the lesser the better.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Fit {
-    Exact,
-    Promoted,
-    Template,
-}
+use crate::types::Type;
 
 impl<'a> Checker<'a> {
     pub(super) fn call(
@@ -367,143 +358,4 @@ struct Call<'c, 'a> {
     name: &'a Name,
     arguments: &'c [&'a Expr],
     values: &'c [ExprId],
-}
-
-/// How an argument fits a parameter, whatever sizes it brings along.
-fn fit_alone(parameter: &Type, argument: &Type) -> Option<Fit> {
-    fit(parameter, argument, &|_| true, &mut Sizes::default())
-}
-
-/// Sizes that arguments bring along.
-type Sizes = BTreeMap<String, Dimension>;
-
-fn fits(
-    signature: &Signature,
-    types: &[Type],
-    is_template: &dyn Fn(&str) -> bool,
-) -> Option<(Fit, Sizes)> {
-    if signature.parameters.len() != types.len() {
-        return None;
-    }
-    let mut sizes = Sizes::default();
-    let mut worst = Fit::Exact;
-    for (p, t) in signature.parameters.iter().zip(types) {
-        worst = worst.max(fit(p, t, is_template, &mut sizes)?);
-    }
-    Some((worst, sizes))
-}
-
-fn fit(
-    parameter: &Type,
-    argument: &Type,
-    is_template: &dyn Fn(&str) -> bool,
-    sizes: &mut Sizes,
-) -> Option<Fit> {
-    if parameter == argument {
-        return Some(Fit::Exact);
-    }
-    if let (Some(a), Some(b)) = (parameter.shape(), argument.shape()) {
-        if parameter.is_integer() && !argument.is_integer()
-            || parameter.is_sparse() != argument.is_sparse()
-        {
-            return None;
-        }
-        let promoted = parameter.is_integer() != argument.is_integer();
-        let fit = match (a, b) {
-            (Shape::Scalar, Shape::Scalar) => Fit::Exact,
-            (Shape::Vector(n), Shape::Vector(m)) => fit_size(&n, &m, is_template, sizes)?,
-            (Shape::Matrix(n, m), Shape::Matrix(p, q)) => {
-                fit_size(&n, &p, is_template, sizes)?.max(fit_size(&m, &q, is_template, sizes)?)
-            }
-            (Shape::Vector(n), Shape::Matrix(m, one)) if one == Dimension::known(1) => {
-                fit_size(&n, &m, is_template, sizes)?.max(Fit::Promoted)
-            }
-            (Shape::Scalar, Shape::Matrix(n, m))
-                if n == Dimension::known(1) && m == Dimension::known(1) =>
-            {
-                Fit::Promoted
-            }
-            _ => return None,
-        };
-        return Some(if promoted {
-            fit.max(Fit::Promoted)
-        } else {
-            fit
-        });
-    }
-    match (parameter, argument) {
-        // the letters of two sequences, or their index sets, do not make them different arguments
-        (
-            Type::Sequence {
-                item: a, length: n, ..
-            },
-            Type::Sequence {
-                item: b, length: m, ..
-            },
-        ) => {
-            if let Some(crate::types::Atom::Length(letter)) = n.as_atom() {
-                sizes.entry(letter.clone()).or_insert_with(|| m.clone());
-            }
-            fit(a, b, is_template, sizes)
-        }
-        (Type::Set(_), Type::Set(item)) if **item == Type::Error => Some(Fit::Promoted),
-        (Type::CellularSet(a), Type::CellularSet(b)) if a.is_none() || b.is_none() => {
-            Some(Fit::Exact)
-        }
-        _ => None,
-    }
-}
-
-/// A size that an argument has where the parameter has this one.
-fn fit_size(
-    parameter: &Dimension,
-    argument: &Dimension,
-    is_template: &dyn Fn(&str) -> bool,
-    sizes: &mut Sizes,
-) -> Option<Fit> {
-    if let Some(crate::types::Atom::Symbol(name)) = parameter.as_atom()
-        && is_template(name)
-    {
-        return match sizes.get(name) {
-            Some(known) if known.differs(argument) => None,
-            Some(_) => Some(Fit::Template),
-            None => {
-                sizes.insert(name.clone(), argument.clone());
-                Some(Fit::Template)
-            }
-        };
-    }
-    let parameter = substituted(parameter, sizes);
-    (!parameter.differs(argument)).then_some(Fit::Exact)
-}
-
-fn substituted(dimension: &Dimension, sizes: &Sizes) -> Dimension {
-    dimension.substitute(&|atom| match atom {
-        crate::types::Atom::Symbol(name) | crate::types::Atom::Length(name) => {
-            sizes.get(name).cloned()
-        }
-        _ => None,
-    })
-}
-
-/// A type with the sizes that the arguments of a call bring along.
-fn with_sizes(ty: &Type, sizes: &Sizes) -> Type {
-    let mut ty = ty.clone();
-    match &mut ty {
-        Type::Vector { length, .. } => *length = substituted(length, sizes),
-        Type::Matrix { rows, columns, .. } => {
-            *rows = substituted(rows, sizes);
-            *columns = substituted(columns, sizes);
-        }
-        Type::Sequence { item, length, .. } => {
-            **item = with_sizes(item, sizes);
-            *length = substituted(length, sizes);
-        }
-        Type::Set(item) => **item = with_sizes(item, sizes),
-        Type::Tuple(items) => items
-            .iter_mut()
-            .for_each(|item| *item = with_sizes(item, sizes)),
-        _ => {}
-    }
-    ty
 }

@@ -14,11 +14,13 @@ mod elementwise;
 mod expr;
 mod fold;
 mod function;
+mod linear;
 mod matrix;
 mod norm;
 mod operator;
 mod scope;
 mod set;
+mod sizes;
 mod subscript;
 mod wording;
 

@@ -3,7 +3,7 @@
 use glam::{DMat2, DMat3, DMat4};
 use nalgebra::{Const, DMatrix, DimMin, SMatrix, SVector};
 
-use super::dense::{Array, Build};
+use super::array::{Array, Build};
 use super::{Fallible, Fault};
 
 /// A square matrix that can be factorised.

@@ -1,6 +1,7 @@
 //! What generated code calls. No part of the public interface: it changes with the compiler.
 
 mod all;
+mod array;
 mod chain;
 mod check;
 mod dense;
@@ -14,6 +15,7 @@ mod table;
 mod touch;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
+pub use array::*;
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element, check_length, check_member,

@@ -2,7 +2,7 @@
 
 use sprs::{CsMat, TriMat};
 
-use super::dense::{Array, Build};
+use super::array::{Array, Build};
 
 /// The sparse matrix with these numbers on its diagonal.
 pub fn sparse_diagonal(entries: &[f64]) -> CsMat<f64> {

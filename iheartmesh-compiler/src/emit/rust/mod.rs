@@ -18,6 +18,7 @@ pub mod place;
 mod plan;
 mod set;
 mod size;
+mod tabulate;
 mod types;
 
 use proc_macro2::{Ident, TokenStream};
