@@ -214,7 +214,9 @@ impl Context<'_> {
             .chain(&changing)
             .map(|id| self.compute(*id))
             .collect();
-        let checks = self.values().map(|(id, input)| self.input_checks(id, input, false));
+        let checks = self
+            .values()
+            .map(|(id, input)| self.input_checks(id, input, false));
         quote! {
             pub struct Topology<'a> {
                 #(pub #mesh_names: &'a #krate::#mesh_types,)*
