@@ -120,6 +120,7 @@ fn panic_message<T>(call: impl FnOnce() -> T) -> String {
 }
 
 #[test]
+#[allow(clippy::needless_borrows_for_generic_args)] // that borrowed values go in is the point
 fn values_go_in_owned_or_borrowed() {
     let (mesh, x) = square();
     let m = [1.0, 2.0, 3.0, 4.0];
@@ -295,6 +296,7 @@ fn names_of_the_language_are_names_of_rust() {
 }
 
 #[test]
+#[allow(clippy::needless_borrows_for_generic_args)]
 fn sets_and_tuples() {
     let (mesh, _) = square();
     let s = Sets::new(&mesh).unwrap();

@@ -201,7 +201,7 @@ fn functions_of_values() {
     let (mesh, _) = fan();
     let total = Total::new(&mesh).unwrap();
     assert_eq!(total.total([1.0, 2.0, 3.0, 4.0]), 10.0);
-    assert_eq!(total.total(&vec![1.0; 4]), 4.0);
+    assert_eq!(total.total(vec![1.0; 4]), 4.0);
     assert!(total.try_total([1.0; 3]).is_err());
     assert!(total.try_total([1.0; 5]).is_err());
 }

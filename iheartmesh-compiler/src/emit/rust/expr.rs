@@ -162,7 +162,7 @@ impl Body<'_> {
             Kind::Project(a, k) => {
                 let k = Literal::u32_unsuffixed(*k);
                 let copy = is_copy(self.ty(e));
-                let a = match self.names.get(a).is_some() {
+                let a = match self.names.contains_key(a) {
                     true => self.reference(*a),
                     false => self.owned(*a),
                 };
@@ -235,7 +235,7 @@ impl Body<'_> {
     /// An element as an index, not checked where it is a column that may hold a mark.
     fn element_index(&mut self, index: ExprId) -> TokenStream {
         if let Kind::Column(variable, k) = self.kind(index)
-            && self.names.get(&index).is_none()
+            && !self.names.contains_key(&index)
         {
             let row = row_name(*variable);
             let k = Literal::u32_unsuffixed(*k);
@@ -246,7 +246,7 @@ impl Body<'_> {
     }
 
     fn index_may_fail(&self, index: ExprId) -> bool {
-        Self::column_may_fail(self.plan, self.kind(index)) && self.names.get(&index).is_none()
+        Self::column_may_fail(self.plan, self.kind(index)) && !self.names.contains_key(&index)
     }
 
     fn item(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
