@@ -94,7 +94,8 @@ impl Padded {
             };
             while let Some(place) = places.next_if(|place| (place.offset as usize) < end) {
                 let offset = place.offset as usize;
-                if source.text.is_char_boundary(offset) && offset >= start {
+                // an empty piece would begin a line of its own
+                if source.text.is_char_boundary(offset) && offset > start {
                     padded.piece(start, &source.text[start..offset], at);
                     start = offset;
                 }

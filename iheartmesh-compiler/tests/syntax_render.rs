@@ -136,6 +136,34 @@ fn a_literal_with_escapes() {
 }
 
 #[test]
+fn several_lines_on_one_line_of_the_file() {
+    let place = |offset, line, column| Place {
+        offset,
+        line,
+        column,
+    };
+    let source = Source {
+        places: vec![place(0, 7, 20), place(4, 7, 25), place(8, 8, 3)],
+        ..Source::file("src/main.rs", "a=1\nb=2\ny = x + 1\n")
+    };
+    check(
+        source,
+        &[("b", ""), ("x + 1", "on the next line")],
+        expect![[r#"
+            error: cannot add `ℝ³` and `ℝ`
+             --> src/main.rs:7:25
+              |
+            7 |                    a=1  b=2
+              |                         ^
+            8 |   y = x + 1
+              |       ----- on the next line
+              |
+              = help: multiply one of them
+        "#]],
+    );
+}
+
+#[test]
 fn combining_marks_and_wide_signs() {
     let source = Source::file("wide.hlang", "x̂ ỹ = n̄̂ + 𝟙_3 𝕕 `漢字` + z // ❤️ end");
     check(

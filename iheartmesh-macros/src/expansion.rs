@@ -301,3 +301,6 @@ impl Messages<'_> {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

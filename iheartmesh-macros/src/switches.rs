@@ -60,3 +60,6 @@ fn apply(switches: TokenStream, optimizations: &mut Optimizations, errors: &mut 
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

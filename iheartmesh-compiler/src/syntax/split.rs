@@ -38,6 +38,8 @@ struct Splitter<'a> {
     errors: Vec<Diagnostic>,
     /// Words that are not known: the number of their message and of their uses.
     unknown: BTreeMap<String, (usize, usize)>,
+    /// First and last byte of the last unknown word that nothing is proposed for, and its message.
+    puzzling: Option<(u32, u32, usize)>,
 }
 
 /// Text to tokens in which every name is settled.
@@ -60,6 +62,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         out: Vec::with_capacity(raw.len() + raw.len() / 2),
         errors,
         unknown: BTreeMap::new(),
+        puzzling: None,
     };
     let mut next = 0;
     for item in &mut items {
@@ -307,6 +310,24 @@ impl Splitter<'_> {
 
     fn unknown(&mut self, item: &Names, word: &str, token: Token) {
         self.push(Kind::Unknown, token.start, token.end, token.space);
+        if let Some((start, end, message)) = self.puzzling
+            && self.text.get(end as usize..token.start as usize) == Some("_")
+        {
+            let whole = &self.text[start as usize..token.end as usize];
+            let error = &mut self.errors[message];
+            error.message = format!("unknown name `{whole}`");
+            error.labels[0].span.end = token.end;
+            error.help = Some(format!(
+                "declare it; a name with `_` in it stands in back-ticks, `` `{whole}` ``, since `_` begins a subscript"
+            ));
+            self.puzzling = Some((start, token.end, message));
+            // one unknown word, with what would be its subscripts
+            self.out.truncate(self.out.len() - 2);
+            if let Some(last) = self.out.last_mut() {
+                last.end = token.end;
+            }
+            return;
+        }
         if let Some((_, uses)) = self.unknown.get_mut(word) {
             *uses += 1;
             return;
@@ -328,7 +349,10 @@ impl Splitter<'_> {
                 "there is no `not`; turn the relation round, as in `a ≤ b`".into()
             }
             Some(name) => format!("did you mean `{name}`?"),
-            None => "declare it, or separate the letters to multiply them".into(),
+            None => {
+                self.puzzling = Some((token.start, token.end, self.errors.len()));
+                "declare it, or separate the letters to multiply them".into()
+            }
         };
         let error = Diagnostic::error(span, format!("unknown name `{word}`"));
         self.errors.push(error.help(help));

@@ -18,6 +18,12 @@ formula! {
 }
 
 #[test]
-fn the_module_is_compiled() {
+fn the_module_computes() -> Result<(), Box<dyn std::error::Error>> {
+    // two triangles with a common side, and a vertex that nothing touches
+    let mesh = formulas::FaceMesh::from_triangles(5, &[[0, 1, 2], [2, 1, 3]])?;
+    let valence = Valence::new(&mesh)?;
+    assert_eq!(valence.valence_all(), [2, 3, 3, 2, 0]);
+    assert_eq!(valence.size_all(), [3, 4, 4, 3, 1]);
     assert!(Valence::SOURCE.contains("VertexOneRing"));
+    Ok(())
 }

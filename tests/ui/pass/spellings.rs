@@ -4,7 +4,7 @@
 mod shapes {
     iheartmesh::iheartmesh! {
         /// A documented module.
-        #[derive(Debug)]
+        #[must_use]
         pub struct Raw = r##"
             a ∈ ℝ
             b = 2 a
