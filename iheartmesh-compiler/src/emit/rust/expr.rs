@@ -50,8 +50,9 @@ impl Body<'_> {
                 match self.ty(e) {
                     // a local name, see `prelude`
                     Type::Sequence { .. } => quote!(#field),
-                    ty if ty.element_of_set().is_some() => {
-                        quote!(&rt::ids_of_set(s.#field.as_ref()))
+                    ty if !self.context.is_same_outside(ty) => {
+                        let value = self.context.to_inner(quote!(s.#field.as_ref()), ty);
+                        quote!(&#value)
                     }
                     _ => quote!(s.#field.as_ref()),
                 }
