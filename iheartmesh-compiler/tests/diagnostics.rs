@@ -80,7 +80,8 @@ fn every_message_has_a_case() {
                 };
                 let makes = MAKERS.iter().any(|maker| line.contains(maker));
                 let place = format!("{name}:{}", number + 1);
-                if makes && !helper && !reached.iter().any(|r| r.ends_with(&place)) {
+                let guard = GUARDS.contains(&line.trim());
+                if makes && !helper && !guard && !reached.iter().any(|r| r.ends_with(&place)) {
                     missing.push(format!("{place}: {}", line.trim()));
                 }
             }
@@ -102,6 +103,12 @@ const MAKERS: [&str; 7] = [
     "self.wrong(",
     "self.wrong_count(",
     "self.not_a_set(",
+];
+
+/// Messages that no program is known to cause, kept where a case of a `match` has to say something.
+const GUARDS: [&str; 2] = [
+    "return self.mismatch(sides, \"multiply\", \"and\", &ta, &tb, \"their sizes do not fit\");",
+    "Diagnostic::error(rows[r][k].span, message)",
 ];
 
 #[test]

@@ -157,7 +157,14 @@ impl<'a> Checker<'a> {
             let base = match self.program.arena.kind(call.values[0]) {
                 Kind::Integer(2) => Elementary::Log2,
                 Kind::Integer(10) => Elementary::Log10,
-                _ => return self.wrong(call, 0, "the base 2 or 10"),
+                _ => {
+                    let base = call.arguments[0].span;
+                    let error = Diagnostic::error(base, "the base of a logarithm is 2 or 10");
+                    return self
+                        .report(error.help(
+                            "divide by the logarithm of another base, as in `log(x)/log(b)`",
+                        ));
+                }
             };
             let call = Builtin {
                 span: call.span,
@@ -430,6 +437,11 @@ fn usage(builtin: &str, name: &str) -> String {
         "NonZeros" => "(B IndicatorVector(S))",
         "ValueSet" => "(B IndicatorVector(S), 1)",
         "CellularSet" => "(S, H, G)",
+        "trace" | "tr" | "det" | "rank" | "inv" | "null" | "orth" | "svd" | "psd" | "psd_abs" => {
+            "(A)"
+        }
+        "vec⁻¹" | "inversevec" => "_x(v)",
+        "sequence" => "(a, b)",
         _ => "(x)",
     };
     format!("{name}{arguments}")

@@ -208,10 +208,13 @@ impl<'a> Checker<'a> {
         if self.is_empty_set(e) && matches!(to, Type::Set(_)) {
             return self.add(Kind::Set(Vec::new()), to.clone());
         }
+        let extents = |ty: &Type| ty.shape().and_then(super::operator::extents);
+        let fits = match (extents(self.ty(e)), extents(to)) {
+            (Some((n, m)), Some((p, q))) => !n.differs(&p) && !m.differs(&q),
+            _ => false,
+        };
         match to.shape() {
-            Some(shape) if !to.is_integer() && self.ty(e).shape().is_some() => {
-                self.shaped(e, &shape)
-            }
+            Some(shape) if fits && !to.is_integer() => self.shaped(e, &shape),
             _ => e,
         }
     }

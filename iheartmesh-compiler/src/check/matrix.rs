@@ -180,7 +180,6 @@ impl<'a> Checker<'a> {
     }
 
     /// Heights of the rows of blocks, and widths of the columns where these are the same in all rows.
-    #[expect(clippy::type_complexity, reason = "two lists that belong together")]
     fn block_sizes(
         &mut self,
         e: &'a Expr,

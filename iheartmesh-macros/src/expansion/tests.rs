@@ -4,7 +4,9 @@ use super::expand;
 use proc_macro2::TokenStream;
 
 fn expanded(call: &str) -> String {
-    let tokens: TokenStream = format!("[k] [k::macros] [k::standard] {call}").parse().unwrap();
+    let tokens: TokenStream = format!("[k] [k::macros] [k::standard] {call}")
+        .parse()
+        .unwrap();
     let text = expand(tokens).to_string();
     // as it stands in the literals of the messages
     text.replace("\\n", "\n")
