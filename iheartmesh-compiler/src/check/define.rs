@@ -27,6 +27,20 @@ impl<'a> Checker<'a> {
             None => {}
         }
         self.definitions.insert((module, item), Definition::Open);
+        if let Some(target) = definition
+            .targets
+            .iter()
+            .find(|t| !self.is_first(module, item, &t.name.text))
+        {
+            let error = self.unsupported(
+                target.name.span,
+                "entries of what is declared or defined elsewhere are",
+            );
+            let values = vec![error; definition.targets.len()];
+            self.definitions
+                .insert((module, item), Definition::Done(values.clone()));
+            return values;
+        }
         let mut values = self.in_module(module, |checker| checker.definition_values(definition));
         for (value, target) in values.iter_mut().zip(&definition.targets) {
             *value = self.named(&target.name.text, *value, syntax.span);
@@ -34,6 +48,19 @@ impl<'a> Checker<'a> {
         self.definitions
             .insert((module, item), Definition::Done(values.clone()));
         values
+    }
+
+    /// Whether a definition is the one that its symbol stands for.
+    fn is_first(&self, module: ModuleId, item: usize, name: &str) -> bool {
+        let symbol = self.resolved.module(module).symbols.get(name);
+        symbol.is_none_or(|symbol| {
+            symbol.meanings.iter().any(|meaning| match meaning {
+                crate::resolve::Meaning::Definition { item: first, .. } => *first == item,
+                // two definitions of one name have been reported
+                crate::resolve::Meaning::Parameter { .. } => false,
+                _ => true,
+            })
+        })
     }
 
     /// The value of a definition by its name, so that it is computed once; what costs nothing stays as it is.

@@ -170,6 +170,9 @@ impl<'a> Checker<'a> {
                 ItemKind::Definition(definition) => {
                     let values = self.definition(ModuleId(0), index);
                     for (target, value) in definition.targets.iter().zip(values) {
+                        if self.is_error(value) {
+                            continue;
+                        }
                         self.export_global(&target.name.text, value, item.span);
                     }
                 }
