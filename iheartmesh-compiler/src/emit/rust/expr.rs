@@ -222,7 +222,7 @@ impl Body<'_> {
     }
 
     /// What a column stores.
-    fn column_value(&self, e: ExprId) -> ExprId {
+    pub(super) fn column_value(&self, e: ExprId) -> ExprId {
         match self.kind(e) {
             Kind::Column(variable, k) => self
                 .plan

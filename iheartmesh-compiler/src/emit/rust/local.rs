@@ -67,7 +67,7 @@ impl Body<'_> {
                 };
                 let (k, site) = (
                     Literal::usize_unsuffixed(k),
-                    self.context.site(arguments[0]),
+                    self.context.site(self.column_value(arguments[0])),
                 );
                 let value = quote!((*rt::at(&#values[..], #slots[#k] as usize, #site)?));
                 self.calls.insert(*call, value);
