@@ -30,7 +30,7 @@ impl<'a> Checker<'a> {
         if let Some(target) = definition
             .targets
             .iter()
-            .find(|t| !self.is_first(module, item, &t.name.text))
+            .find(|t| !t.subscripts.is_empty() && !self.is_first(module, item, &t.name.text))
         {
             let error = self.unsupported(
                 target.name.span,

@@ -4,7 +4,6 @@ use super::scope::{Binding, Scope};
 use super::{Checker, IndexUse};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Layout, VariableId};
-use crate::span::Span;
 use crate::syntax::ast::{self, Expr, ExprKind, Name, Subscript};
 use crate::types::{Dimension, Shape, Type};
 
@@ -32,7 +31,11 @@ impl<'a> Checker<'a> {
             _ => return,
         };
         let size = self.extent(base, axis);
-        let shown = self.ty(base).to_string();
+        let shown = match (self.ty(base), axis) {
+            (ty @ Type::Matrix { .. }, 0) => format!("the rows of {ty}"),
+            (ty @ Type::Matrix { .. }, _) => format!("the columns of {ty}"),
+            (ty, _) => ty.described(),
+        };
         if let Some(uses) = self.index_uses.get_mut(&variable) {
             uses.push(IndexUse {
                 size,
@@ -155,12 +158,12 @@ impl<'a> Checker<'a> {
         if failed {
             return self.error();
         }
-        self.tabulate(definition.span, variables, ranges, body, slice, diagonal)
+        self.tabulate(definition, variables, ranges, body, slice, diagonal)
     }
 
     fn tabulate(
         &mut self,
-        span: Span,
+        definition: &ast::Definition,
         variables: Vec<VariableId>,
         ranges: Vec<(Dimension, ExprId)>,
         body: ExprId,
@@ -208,14 +211,18 @@ impl<'a> Checker<'a> {
                 body,
             ),
             _ => {
+                let ty = ty.described();
+                let name = &definition.targets[0].name;
+                let message = format!("`{}` cannot be defined entry by entry by {ty}", name.text);
                 return self.report(
-                    Diagnostic::error(span, format!("the entries of this definition are of type {ty}"))
+                    Diagnostic::error(name.span, message)
+                        .label(definition.value.span, format!("this is {ty}"))
                         .help("`A_ij` is a number, `A_i,*` and `A_*,j` are vectors, `x_i` may be anything"),
                 );
             }
         };
         self.add_at(
-            span,
+            definition.span,
             Kind::Tabulate {
                 layout,
                 variables,

@@ -1,5 +1,7 @@
 //! Functions: their signatures, their bodies, recursion.
 
+use std::collections::BTreeSet;
+
 use super::Checker;
 use super::declare::Declared;
 use super::scope::{Binding, Scope};
@@ -200,6 +202,13 @@ impl<'a> Checker<'a> {
             });
         }
         let templates = self.template_sizes(&parameters);
+        let mut given: BTreeSet<String> = templates.keys().cloned().collect();
+        given.extend(self.resolved.module(self.module).symbols.keys().cloned());
+        for parameter in &parameters {
+            let span = scope.spans.get(&parameter.name).copied();
+            let span = span.unwrap_or(syntax.name.span);
+            self.report_sizes(&parameter.ty, span, &mut given);
+        }
         for (name, size) in &templates {
             scope
                 .names

@@ -107,11 +107,14 @@ impl<'a> Checker<'a> {
             return None;
         }
         if ty != Type::INTEGER {
-            self.report(
-                Diagnostic::error(e.span, format!("a size cannot be {}", ty.described()))
-                    .here(format!("this is {}", ty.described()))
-                    .help("sizes are integers"),
-            );
+            let diagnostic = Diagnostic::error(
+                e.span,
+                format!("a size cannot be {}", ty.described()),
+            )
+            .here(format!("this is {}", ty.described()))
+            .help("sizes are integers, such as `3`, `n` with `n ∈ ℤ`, or the `n` of `v ∈ ℝ^n`");
+            let diagnostic = self.with_origins(diagnostic, &[e]);
+            self.report(diagnostic);
             return None;
         }
         let dimension = match (self.program.arena.kind(value), &e.kind) {
@@ -164,11 +167,12 @@ impl<'a> Checker<'a> {
             Some((rows, columns)) => Some(Cell::Block(self.real(value), rows, columns)),
             None => {
                 let given = ty.described();
-                self.report(
-                    Diagnostic::error(cell.span, format!("{given} cannot be a block of a matrix"))
-                        .here(format!("this is {given}"))
-                        .help("the blocks of a matrix are numbers, vectors and matrices"),
-                );
+                let message = format!("{given} cannot be a block of a matrix");
+                let diagnostic = Diagnostic::error(cell.span, message)
+                    .here(format!("this is {given}"))
+                    .help("the blocks of a matrix are numbers, vectors and matrices");
+                let diagnostic = self.with_origins(diagnostic, &[cell]);
+                self.report(diagnostic);
                 None
             }
         }
@@ -196,11 +200,18 @@ impl<'a> Checker<'a> {
                         None => height = Some((rows.clone(), k)),
                         Some((known, first)) if known.differs(rows) => {
                             let message = format!("blocks of one row have {known} and {rows} rows");
-                            self.report(
-                                Diagnostic::error(row[k].span, message)
-                                    .label(row[*first].span, format!("this has {known} rows"))
-                                    .help("all blocks in a row of a matrix have the same number of rows"),
-                            );
+                            let diagnostic = Diagnostic::error(row[k].span, message)
+                                .here(format!("this has {}", count_of(rows, "row")))
+                                .label(
+                                    row[*first].span,
+                                    format!("this has {}", count_of(known, "row")),
+                                )
+                                .help(
+                                    "all blocks in a row of a matrix have the same number of rows",
+                                );
+                            let diagnostic =
+                                self.with_origins(diagnostic, &[&row[k], &row[*first]]);
+                            self.report(diagnostic);
                             return None;
                         }
                         Some(_) => {}
@@ -310,9 +321,16 @@ impl<'a> Checker<'a> {
                     _ => e.span,
                 };
                 let message = format!("rows of a matrix have {first} and {width} columns");
+                let above = rows
+                    .first()
+                    .and_then(|row| Some(row.first()?.span.to(row.last()?.span)));
                 self.report(
                     Diagnostic::error(place, message)
-                        .here(format!("this row has {width} columns"))
+                        .here(format!("this row has {}", count_of(&width, "column")))
+                        .label(
+                            above.unwrap_or(e.span),
+                            format!("this row has {}", count_of(&first, "column")),
+                        )
                         .help("all rows of a matrix have the same number of columns"),
                 );
                 return None;
@@ -336,39 +354,43 @@ impl<'a> Checker<'a> {
                 let (height, width) = (heights[r].clone(), widths[r][k].clone());
                 let one = Dimension::known(1);
                 row.push(match cell {
-                    Cell::Block(value, rows_of, columns_of) => {
-                        if rows_of.differs(&height) || columns_of.differs(&width) {
-                            let message = format!(
-                                "a block of {rows_of}×{columns_of} stands where one of {height}×{width} is needed"
-                            );
-                            return self.report(
-                                Diagnostic::error(rows[r][k].span, message)
-                                    .help("all blocks in a column of a matrix have the same number of columns"),
-                            );
-                        }
-                        value
+                    Cell::Block(value, _, _) => value,
+                    Cell::Filling(value) if height == one && width == one => {
+                        self.program.arena.real(value)
                     }
-                    Cell::Filling(value) if height == one && width == one => self.program.arena.real(value),
                     Cell::Filling(value) => {
                         let value = self.program.arena.real(value);
                         match (self.size(&height), self.size(&width)) {
-                            (Some(n), Some(m)) => {
-                                self.add(Kind::Filled(value, vec![n, m]), Type::real_matrix(height, width))
+                            (Some(n), Some(m)) => self.add(
+                                Kind::Filled(value, vec![n, m]),
+                                Type::real_matrix(height, width),
+                            ),
+                            _ => {
+                                return self.unsupported(
+                                    rows[r][k].span,
+                                    "blocks of a size known only at run time are",
+                                );
                             }
-                            _ => return self.unsupported(rows[r][k].span, "blocks of a size known only at run time are"),
                         }
                     }
                     Cell::Identity => {
                         if height.differs(&width) {
-                            let message = format!("an identity cannot fill a block of {height}×{width}");
+                            let message =
+                                format!("an identity cannot fill a block of {height}×{width}");
                             return self.report(
-                                Diagnostic::error(rows[r][k].span, message).help("an identity matrix is square"),
+                                Diagnostic::error(rows[r][k].span, message)
+                                    .help("an identity matrix is square"),
                             );
                         }
                         match self.size(&height) {
-                            Some(n) => self.add(Kind::Identity(n), Type::real_matrix(height, width)),
+                            Some(n) => {
+                                self.add(Kind::Identity(n), Type::real_matrix(height, width))
+                            }
                             None => {
-                                return self.unsupported(rows[r][k].span, "blocks of a size known only at run time are");
+                                return self.unsupported(
+                                    rows[r][k].span,
+                                    "blocks of a size known only at run time are",
+                                );
                             }
                         }
                     }
@@ -395,5 +417,13 @@ impl<'a> Checker<'a> {
         let matrix = self.add(Kind::Blocks(blocks), ty);
         self.program.arena.note_origin(matrix, e.span);
         matrix
+    }
+}
+
+/// How many rows or columns: `1 row`, `n columns`.
+fn count_of(size: &Dimension, what: &str) -> String {
+    match size.value() {
+        Some(1) => format!("1 {what}"),
+        _ => format!("{size} {what}s"),
     }
 }

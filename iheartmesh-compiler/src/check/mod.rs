@@ -18,6 +18,7 @@ mod linear;
 mod matrix;
 mod norm;
 mod operator;
+mod product;
 mod scope;
 mod set;
 mod sizes;
@@ -58,6 +59,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         misfits: BTreeSet::new(),
     };
     checker.declare_inputs();
+    checker.check_sizes();
     checker.check_arguments();
     checker.module_items();
     checker.untyped();
@@ -209,11 +211,12 @@ impl<'a> Checker<'a> {
             .globals
             .iter()
             .map(|g| (arena.ty(g.value), g.span));
-        let untyped = functions.chain(globals).find(|(ty, _)| ty.is_error());
-        if let Some((_, span)) = untyped {
+        let mut untyped = functions.chain(globals).filter(|(ty, _)| is_open(ty));
+        if let Some((_, span)) = untyped.next() {
             self.report(
-                Diagnostic::error(span, "the type of this value does not follow from its definition")
-                    .help("the type of `{}` follows from the set that it is put together with, as in `S ∪ {}`"),
+                Diagnostic::error(span, "the type of `{}` is not known here").help(
+                    "the type of `{}` follows from the set that it is put together with, as in `S ∪ {}`",
+                ),
             );
         }
     }
@@ -235,5 +238,15 @@ impl<'a> Checker<'a> {
         self.program
             .exports
             .push(Export::Global(GlobalId(id as u32)));
+    }
+}
+
+/// Whether a type is not known, in whole or in part.
+fn is_open(ty: &Type) -> bool {
+    match ty {
+        Type::Error => true,
+        Type::Set(item) | Type::Sequence { item, .. } => is_open(item),
+        Type::Tuple(items) => items.iter().any(is_open),
+        _ => false,
     }
 }

@@ -5,7 +5,6 @@ use super::operator::Sides;
 use super::wording::NOT_NUMBERS;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, ExprId, Kind, Unary};
-use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind, NormSubscript};
 use crate::types::{Shape, Type};
 
@@ -30,8 +29,12 @@ impl<'a> Checker<'a> {
                 self.add(Kind::Cardinality(value), Type::INTEGER)
             }
             (Type::Sequence { .. }, false) if subscript.is_none() => self.extent(value, 0),
-            (Type::Vector { space: None, .. }, true) => self.vector_norm(e, value, subscript),
-            (Type::Matrix { spaces: None, .. }, true) => self.matrix_norm(e, value, subscript),
+            (Type::Vector { space: None, .. }, true) => {
+                self.vector_norm(e, operand, value, subscript)
+            }
+            (Type::Matrix { spaces: None, .. }, true) => {
+                self.matrix_norm(e, operand, value, subscript)
+            }
             (
                 Type::Matrix {
                     rows,
@@ -42,7 +45,7 @@ impl<'a> Checker<'a> {
                 false,
             ) if subscript.is_none() => {
                 if rows.differs(columns) {
-                    return self.not_square(e.span, "take the determinant of", operand.span, &ty);
+                    return self.not_square(e.span, "take the determinant of", operand, &ty);
                 }
                 self.real_unary(Unary::Determinant, value, Shape::Scalar)
             }
@@ -74,6 +77,7 @@ impl<'a> Checker<'a> {
     fn vector_norm(
         &mut self,
         e: &'a Expr,
+        operand: &'a Expr,
         value: ExprId,
         subscript: Option<&'a NormSubscript>,
     ) -> ExprId {
@@ -82,7 +86,9 @@ impl<'a> Checker<'a> {
             Some(NormSubscript::Infinity) => {
                 return self.real_unary(Unary::NormMax, value, Shape::Scalar);
             }
-            Some(NormSubscript::Nuclear) => return self.norm_subscript(e.span, "a vector"),
+            Some(NormSubscript::Nuclear) => {
+                return self.norm_subscript(e, operand, value, "a vector");
+            }
             Some(NormSubscript::Expr(p)) => p,
         };
         match exponent.kind {
@@ -105,13 +111,14 @@ impl<'a> Checker<'a> {
                 let (value, p) = (self.real(value), self.real(p));
                 self.add(Kind::Binary(Binary::NormWeighted, value, p), Type::REAL)
             }
-            _ => self.norm_subscript(exponent.span, "a vector"),
+            _ => self.norm_subscript(e, operand, value, "a vector"),
         }
     }
 
     fn matrix_norm(
         &mut self,
         e: &'a Expr,
+        operand: &'a Expr,
         value: ExprId,
         subscript: Option<&'a NormSubscript>,
     ) -> ExprId {
@@ -123,11 +130,11 @@ impl<'a> Checker<'a> {
             Some(NormSubscript::Expr(p)) if matches!(&p.kind, ExprKind::Name(n) if n.text == "F") => {
                 self.real_unary(Unary::Norm, value, Shape::Scalar)
             }
-            Some(_) => self.norm_subscript(e.span, "a matrix"),
+            Some(_) => self.norm_subscript(e, operand, value, "a matrix"),
         }
     }
 
-    fn norm_subscript(&mut self, span: Span, of: &str) -> ExprId {
+    fn norm_subscript(&mut self, e: &Expr, operand: &Expr, value: ExprId, of: &str) -> ExprId {
         let help = match of {
             "a vector" => {
                 "the norms of a vector are `‖u‖`, `‖u‖_p` with a number `p`, `‖u‖_∞`, and `‖u‖_P` with a square matrix `P`"
@@ -136,7 +143,12 @@ impl<'a> Checker<'a> {
                 "the norms of a matrix are `‖A‖` and `‖A‖_F`, the same, and `‖A‖_*`, the nuclear norm"
             }
         };
-        self.report(Diagnostic::error(span, format!("this is no norm of {of}")).help(help))
+        let ty = self.ty(value).described();
+        let diagnostic = Diagnostic::error(e.span, format!("this is no norm of {of}"))
+            .label(operand.span, format!("this is {ty}"))
+            .help(help);
+        let diagnostic = self.with_origins(diagnostic, &[operand]);
+        self.report(diagnostic)
     }
 
     #[track_caller]
@@ -182,14 +194,15 @@ impl<'a> Checker<'a> {
                         self.add(Kind::Binary(Binary::Product, w, a), Type::real_vector(n));
                     self.add(Kind::Binary(Binary::Dot, b, weighted), Type::REAL)
                 }
-                _ => self.report(
-                    Diagnostic::error(
-                        syntax.span,
-                        format!("the weight of an inner product in {ta} cannot be {tw}"),
-                    )
-                    .here(format!("this is {tw}"))
-                    .help("the weight is a square matrix with as many rows as the vectors"),
-                ),
+                _ => {
+                    let tw = tw.described();
+                    let message = format!("the weight of an inner product in {ta} cannot be {tw}");
+                    let diagnostic = Diagnostic::error(syntax.span, message)
+                        .here(format!("this is {tw}"))
+                        .help("the weight is a square matrix with as many rows as the vectors");
+                    let diagnostic = self.with_origins(diagnostic, &[syntax]);
+                    self.report(diagnostic)
+                }
             };
         }
         let sides = Sides { e, left, right };

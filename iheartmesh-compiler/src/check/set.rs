@@ -1,11 +1,13 @@
-//! Set literals and set builders.
+//! Set literals, set builders, and operations on sets.
 
 use super::Checker;
+use super::operator::Sides;
 use super::scope::Scope;
+use super::wording::{KINDS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
+use crate::ir::{ExprId, Fold, Kind, Range, SetOp, VariableId};
 use crate::resolve::symbols::count;
-use crate::syntax::ast::{Condition, Expr, Name};
+use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
 use crate::types::Type;
 
 impl<'a> Checker<'a> {
@@ -145,5 +147,68 @@ impl<'a> Checker<'a> {
             scope.spans.insert(name.text.clone(), name.span);
         }
         Some((whole, set, scope))
+    }
+
+    /// A union, an intersection, a difference.
+    pub(super) fn set_operation(
+        &mut self,
+        sides: Sides<'a>,
+        op: SetOp,
+        a: ExprId,
+        b: ExprId,
+    ) -> ExprId {
+        let (mut ta, mut tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let (verb, preposition, sign) = match op {
+            SetOp::Union => ("unite", "and", "∪"),
+            SetOp::Intersection => ("intersect", "and", "∩"),
+            SetOp::Difference => ("subtract", "from", "-"),
+        };
+        let (mut a, mut b) = (a, b);
+        // an empty literal takes the type of the other side
+        if self.is_empty_set(a) && matches!(tb, Type::Set(_)) {
+            ta = tb.clone();
+            a = self.add(Kind::Set(Vec::new()), ta.clone());
+        } else if self.is_empty_set(b) && matches!(ta, Type::Set(_)) {
+            tb = ta.clone();
+            b = self.add(Kind::Set(Vec::new()), tb.clone());
+        }
+        match (&ta, &tb) {
+            (Type::Set(x), Type::Set(y)) if x == y => self.add(Kind::SetOp(op, a, b), ta),
+            (Type::Set(x), Type::Set(y)) => match (&**x, &**y) {
+                (Type::Element(x), Type::Element(y)) if x.mesh != y.mesh => {
+                    self.mismatch(sides, verb, preposition, &ta, &tb, ONE_MESH)
+                }
+                (Type::Element(_), Type::Element(_)) => {
+                    self.mismatch(sides, verb, preposition, &ta, &tb, KINDS)
+                }
+                _ => self.mismatch(
+                    sides,
+                    verb,
+                    preposition,
+                    &ta,
+                    &tb,
+                    "the members of both sets must have the same type",
+                ),
+            },
+            (Type::Set(item), other) if **item == *other => {
+                let member = match &sides.right.kind {
+                    ExprKind::Name(name) => name.text.as_str(),
+                    ExprKind::Integer(_) => "1",
+                    _ => "…",
+                };
+                let help = format!(
+                    "`{{{member}}}` is the set with this one member: `… {sign} {{{member}}}`"
+                );
+                self.mismatch(sides, verb, preposition, &ta, &tb, &help)
+            }
+            _ => self.mismatch(
+                sides,
+                verb,
+                preposition,
+                &ta,
+                &tb,
+                "both sides must be sets",
+            ),
+        }
     }
 }

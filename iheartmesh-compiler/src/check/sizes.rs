@@ -1,9 +1,12 @@
 //! How well arguments fit parameters, and the sizes that they bring along.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::Checker;
 use super::function::Signature;
-use crate::types::{Dimension, Shape, Type};
+use crate::diagnostic::Diagnostic;
+use crate::span::Span;
+use crate::types::{Atom, Dimension, Shape, Type};
 
 /// How well an argument fits a parameter: the lesser the better.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -150,4 +153,78 @@ pub(super) fn with_sizes(ty: &Type, sizes: &Sizes) -> Type {
         _ => {}
     }
     ty
+}
+
+impl Checker<'_> {
+    /// Reports symbols in the sizes of the module's parameters that get their values from no parameter.
+    pub(super) fn check_sizes(&mut self) {
+        let mut given = BTreeSet::new();
+        for input in &self.program.inputs {
+            if input.ty == Type::INTEGER {
+                given.insert(input.name.clone());
+            }
+            for size in own_sizes(&input.ty) {
+                if let Some(Atom::Symbol(name)) = size.as_atom() {
+                    given.insert(name.clone());
+                }
+            }
+        }
+        let places: Vec<(Type, Span)> = self
+            .program
+            .inputs
+            .iter()
+            .map(|input| (input.ty.clone(), input.span))
+            .collect();
+        for (ty, span) in places {
+            self.report_sizes(&ty, span, &mut given);
+        }
+    }
+
+    /// Reports symbols in the sizes of a type that are not `given`, each once.
+    pub(super) fn report_sizes(&mut self, ty: &Type, span: Span, given: &mut BTreeSet<String>) {
+        let mut sizes = Vec::new();
+        all_sizes(ty, &mut sizes);
+        for size in sizes {
+            for atom in size.terms().flat_map(|(_, atoms)| atoms) {
+                if let Atom::Symbol(name) = atom
+                    && given.insert(name.clone())
+                {
+                    self.report(
+                        Diagnostic::error(span, format!("the size `{name}` is not known"))
+                            .here(format!("this is {}", ty.described()))
+                            .help(format!(
+                                "a parameter gives it where it stands alone, as in `v ∈ ℝ^{name}` or `{name} ∈ ℤ`"
+                            )),
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The sizes that a value of a type has itself.
+fn own_sizes(ty: &Type) -> Vec<&Dimension> {
+    match ty {
+        Type::Vector { length, .. } => vec![length],
+        Type::Matrix { rows, columns, .. } => vec![rows, columns],
+        Type::Sequence { item, .. } => match **item {
+            Type::Sequence { .. } => Vec::new(),
+            _ => own_sizes(item),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// All sizes in a type.
+fn all_sizes<'t>(ty: &'t Type, sizes: &mut Vec<&'t Dimension>) {
+    sizes.extend(own_sizes(ty));
+    match ty {
+        Type::Set(item) => all_sizes(item, sizes),
+        Type::Tuple(items) => items.iter().for_each(|item| all_sizes(item, sizes)),
+        Type::Function { parameters, result } => {
+            parameters.iter().for_each(|ty| all_sizes(ty, sizes));
+            all_sizes(result, sizes);
+        }
+        _ => {}
+    }
 }

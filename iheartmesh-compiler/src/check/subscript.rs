@@ -266,11 +266,12 @@ impl<'a> Checker<'a> {
             ..
         } = ty
         else {
-            return self.report(
-                Diagnostic::error(e.span, format!("{ty} has no rows and columns to take"))
-                    .label(base.span, format!("this is {ty}"))
-                    .help("`*` stands for all of a row or column of a matrix"),
-            );
+            let ty = ty.described();
+            let diagnostic = Diagnostic::error(e.span, format!("{ty} has no rows and columns"))
+                .label(base.span, format!("this is {ty}"))
+                .help("`*` stands for all of a row or a column of a matrix, as in `A_i,*`");
+            let diagnostic = self.with_origins(diagnostic, &[base]);
+            return self.report(diagnostic);
         };
         let vector = |length| Type::Vector {
             number,
@@ -283,10 +284,12 @@ impl<'a> Checker<'a> {
             [Subscript::All(_), Subscript::Expr(column)] => (column, 1, rows),
             [Subscript::All(_), Subscript::All(_)] => return matrix,
             _ => {
-                return self.report(
-                    Diagnostic::error(e.span, "a matrix takes two subscripts")
-                        .help("write `A_i,*` for a row and `A_*,j` for a column"),
-                );
+                let ty = self.ty(matrix).described();
+                let diagnostic = Diagnostic::error(e.span, "a matrix takes two subscripts")
+                    .label(base.span, format!("this is {ty}"))
+                    .help("write `A_i,*` for a row and `A_*,j` for a column");
+                let diagnostic = self.with_origins(diagnostic, &[base]);
+                return self.report(diagnostic);
             }
         };
         let number = self.expr(index);

@@ -136,7 +136,7 @@ impl Body<'_> {
                     })
                     .collect();
                 let call = quote!((s.#field)(#(#arguments),*));
-                self.context.from_host(call, self.ty(e))
+                self.context.given_by_host(call, self.ty(e))
             }
             Kind::Agree(a, b, value) => {
                 let site = self.context.site(e);

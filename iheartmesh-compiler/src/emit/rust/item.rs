@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use super::block::{Body, Mode, variable_ident};
 use super::{Context, Header, docs, names};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::ir::{Export, ExprId, FunctionId, GlobalId, InputId, Kind};
+use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind};
 use crate::optimize::Plan;
 use crate::span::Span;
 use crate::types::Type;
@@ -88,7 +88,7 @@ pub(super) fn items(
 }
 
 /// An argument as the struct holds it.
-fn held_value(ty: &Type, argument: TokenStream) -> TokenStream {
+pub(super) fn held_value(ty: &Type, argument: TokenStream) -> TokenStream {
     match ty {
         Type::Function { .. } => quote!(::std::boxed::Box::new(#argument)),
         ty if is_converted(ty) => quote!(#argument.into()),
@@ -292,7 +292,7 @@ impl Context<'_> {
         }
     }
 
-    fn cache_name(&self, id: GlobalId) -> Ident {
+    pub(super) fn cache_name(&self, id: GlobalId) -> Ident {
         format_ident!("cache{}", id.0)
     }
 
@@ -415,103 +415,6 @@ impl Context<'_> {
             let sizes = &s.sizes;
             #(let #fields = s.#fields.as_ref();)*
         }
-    }
-
-    /// The methods that set new values.
-    fn setters(&self, rust_names: &mut RustNames<'_>) -> TokenStream {
-        let krate = self.krate;
-        let mut setters = TokenStream::new();
-        for (id, input) in self.values() {
-            let base = names::rust_name(&input.name);
-            let mut list = vec![base.clone()];
-            rust_names.take(&format!("set_{base}"), &input.name, input.span);
-            if let Some(alias) = names::ascii_alias(&base)
-                && rust_names.alias(&format!("set_{alias}"), &input.name, input.span)
-            {
-                list.push(alias);
-            }
-            let ty = self.parameter_type(&input.ty, &quote!('a));
-            let field = self.input_field(id);
-            let value = held_value(&input.ty, quote!(value));
-            let check = self.input_checks(id, input, true);
-            let updates = self.size_updates(id, input);
-            // other inputs are at hand for the check
-            let others = self
-                .values()
-                .filter(|(other, _)| *other != id)
-                .map(|(other, _)| {
-                    let other = self.input_field(other);
-                    quote!(let #other = &self.state.#other;)
-                });
-            let caches = self
-                .dependent_globals(id)
-                .into_iter()
-                .map(|global| self.cache_name(global));
-            let body = quote! {
-                let #field = #value;
-                {
-                    use #krate::__private as rt;
-                    let t = &self.state.topology;
-                    let sizes = &self.state.sizes;
-                    #(#others)*
-                    #check
-                }
-                { use #krate::__private as rt; #updates }
-                self.state.#field = #field;
-                #(self.state.#caches = ::std::sync::OnceLock::new();)*
-                ::std::result::Result::Ok(())
-            };
-            let text = docs::setter(&input.name);
-            for name in list {
-                let setter = names::ident(&format!("set_{name}"));
-                setters.extend(quote! {
-                    #text
-                    pub fn #setter(&mut self, value: #ty) -> ::std::result::Result<(), #krate::Error> { #body }
-                });
-            }
-        }
-        setters
-    }
-
-    /// The definitions whose values depend on an input.
-    fn dependent_globals(&self, input: InputId) -> Vec<GlobalId> {
-        let program = self.program();
-        let mut functions = vec![false; program.functions.len()];
-        let mut globals = vec![false; program.globals.len()];
-        loop {
-            let mut changed = false;
-            let uses = |e: ExprId, functions: &[bool], globals: &[bool]| {
-                let mut found = false;
-                crate::optimize::reachable(&program.arena, e, &mut |kind| {
-                    found |= match kind {
-                        Kind::Input(id) => *id == input,
-                        Kind::Call(id, _) => functions[id.0 as usize],
-                        Kind::Global(id) => globals[id.0 as usize],
-                        _ => false,
-                    }
-                });
-                found
-            };
-            for (k, f) in program.functions.iter().enumerate() {
-                if !functions[k] && uses(f.body, &functions, &globals) {
-                    functions[k] = true;
-                    changed = true;
-                }
-            }
-            for (k, g) in program.globals.iter().enumerate() {
-                if !globals[k] && uses(g.value, &functions, &globals) {
-                    globals[k] = true;
-                    changed = true;
-                }
-            }
-            if !changed {
-                break;
-            }
-        }
-        (0..program.globals.len())
-            .filter(|k| globals[*k])
-            .map(|k| GlobalId(k as u32))
-            .collect()
     }
 
     /// What the host may call: definitions, and functions by name.

@@ -17,6 +17,7 @@ mod orbit;
 pub mod place;
 mod plan;
 mod set;
+mod setter;
 mod size;
 mod tabulate;
 mod types;

@@ -211,7 +211,7 @@ impl Context<'_> {
     }
 
     /// A value that a function of the host gave.
-    pub(super) fn from_host(&self, call: TokenStream, ty: &Type) -> TokenStream {
+    pub(super) fn given_by_host(&self, call: TokenStream, ty: &Type) -> TokenStream {
         match self.is_same_outside(ty) {
             true => call,
             false => {

@@ -1,0 +1,266 @@
+//! Products and solves: which operands they take and what they give.
+
+use super::Checker;
+use super::operator::{Sides, differ, extents};
+use super::wording::{NOT_NUMBERS, ONE_MESH};
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Binary, Boundary, ExprId, Kind, Unary};
+use crate::syntax::ast::ExprKind;
+use crate::types::display::plural;
+use crate::types::{Dimension, Number, Shape, Type};
+
+impl<'a> Checker<'a> {
+    pub(super) fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        match (&ta, &tb) {
+            (Type::Scalar(_), Type::Scalar(_)) => {
+                let (a, b) = self.common(a, b);
+                let ty = self.ty(a).clone();
+                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
+            }
+            (Type::Scalar(_), _) if tb.shape().is_some() => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(b).clone();
+                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
+            }
+            (_, Type::Scalar(_)) if ta.shape().is_some() => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(a).clone();
+                self.add(Kind::Binary(Binary::Multiply, b, a), ty)
+            }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. })
+                if dot && self.same_shape(&ta, &tb).is_some() =>
+            {
+                let (a, b) = (self.real(a), self.real(b));
+                self.add(Kind::Binary(Binary::Dot, a, b), Type::REAL)
+            }
+            _ if matches!(
+                (ta.shape(), tb.shape()),
+                (Some(Shape::Matrix(..)), Some(_)) | (Some(_), Some(Shape::Matrix(..)))
+            ) =>
+            {
+                self.matrix_product(sides, a, b)
+            }
+            (Type::Vector { space: None, .. }, Type::Vector { space: None, .. }) if dot => self
+                .mismatch(
+                    sides,
+                    "take the dot product of",
+                    "and",
+                    &ta,
+                    &tb,
+                    "both vectors must have the same length",
+                ),
+            (Type::Vector { .. }, Type::Vector { .. }) if !dot => self.mismatch(
+                sides,
+                "multiply",
+                "and",
+                &ta,
+                &tb,
+                "write `u⋅v` for the dot product and `u × v` for the cross product",
+            ),
+            (
+                Type::Matrix {
+                    spaces: Some((_, columns)),
+                    ..
+                },
+                Type::Vector {
+                    space: Some(space), ..
+                },
+            ) => {
+                if columns != space {
+                    let help = match columns.mesh == space.mesh {
+                        true => format!("this matrix takes chains of {}", plural(columns.kind)),
+                        false => ONE_MESH.to_owned(),
+                    };
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
+                }
+                let Kind::Boundary(boundary) = self.program.arena.kind(a).clone() else {
+                    return self.unsupported(sides.left.span, "this product is");
+                };
+                self.apply(boundary, b)
+            }
+            (
+                Type::Matrix {
+                    spaces: Some((_, columns)),
+                    ..
+                },
+                Type::Matrix {
+                    spaces: Some((rows, _)),
+                    ..
+                },
+            ) => {
+                if columns.mesh != rows.mesh {
+                    return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
+                }
+                let diagnostic = Diagnostic::error(
+                    sides.e.span,
+                    "products of two boundary matrices are not supported yet",
+                )
+                .label(sides.left.span, format!("this is {}", ta.described()))
+                .label(sides.right.span, format!("this is {}", tb.described()))
+                .help("multiply the matrix on the right and the chain first, as in `B (C δ)`");
+                self.report(diagnostic)
+            }
+            (Type::Element(_), _) | (_, Type::Element(_)) => {
+                self.mismatch(sides, "multiply", "and", &ta, &tb, NOT_NUMBERS)
+            }
+            (Type::Vector { space: Some(_), .. }, _) | (_, Type::Vector { space: Some(_), .. }) => {
+                self.mismatch(
+                    sides,
+                    "multiply",
+                    "and",
+                    &ta,
+                    &tb,
+                    "chains are multiplied by boundary matrices and their transposes",
+                )
+            }
+            _ => self.mismatch(
+                sides,
+                "multiply",
+                "and",
+                &ta,
+                &tb,
+                "numbers, vectors and matrices have products, sets and tuples have none",
+            ),
+        }
+    }
+
+    /// The product of a matrix and a vector or another matrix; `A⁻¹ b` is the solution of `A x = b`.
+    fn matrix_product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId) -> ExprId {
+        if let Kind::Unary(Unary::Inverse, matrix) = *self.program.arena.kind(a) {
+            return self.solve(sides, matrix, b);
+        }
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let one = Dimension::known(1);
+        let (Some((n, k)), Some((l, m))) =
+            (ta.shape().and_then(extents), tb.shape().and_then(extents))
+        else {
+            return self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit");
+        };
+        if k.differs(&l) {
+            let help = format!("the left side has {k} columns, the right side {l} rows");
+            return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
+        }
+        let ty = match tb.shape() {
+            _ if n == one && m == one => Type::REAL,
+            Some(Shape::Vector(_)) => Type::real_vector(n),
+            _ => Type::Matrix {
+                number: Number::Real,
+                rows: n,
+                columns: m,
+                sparse: ta.is_sparse() && tb.is_sparse(),
+                spaces: None,
+            },
+        };
+        let (a, b) = (self.real(a), self.real(b));
+        self.add(Kind::Binary(Binary::Product, a, b), ty)
+    }
+
+    /// The shape of two values that can be added: the same, or a vector and a matrix with one column, or a number and a
+    /// 1×1 matrix.
+    pub(super) fn same_shape(&self, a: &Type, b: &Type) -> Option<Shape> {
+        let (a, b) = (a.shape()?, b.shape()?);
+        if !differ(&a, &b) {
+            return Some(a);
+        }
+        let one = Dimension::known(1);
+        match (&a, &b) {
+            (Shape::Vector(n), Shape::Matrix(m, k)) | (Shape::Matrix(m, k), Shape::Vector(n))
+                if *k == one && !n.differs(m) =>
+            {
+                Some(Shape::Vector(n.clone()))
+            }
+            (Shape::Scalar, Shape::Matrix(n, m)) | (Shape::Matrix(n, m), Shape::Scalar)
+                if *n == one && *m == one =>
+            {
+                Some(Shape::Scalar)
+            }
+            _ => None,
+        }
+    }
+
+    /// A value in a shape that it can take.
+    pub(super) fn shaped(&mut self, value: ExprId, shape: &Shape) -> ExprId {
+        let value = self.real(value);
+        match self.ty(value).shape() {
+            Some(own) if std::mem::discriminant(&own) == std::mem::discriminant(shape) => value,
+            _ => self.add(Kind::Unary(Unary::Reshape, value), shape.clone().real()),
+        }
+    }
+
+    /// The product of a boundary matrix and a chain.
+    fn apply(&mut self, boundary: Boundary, chain: ExprId) -> ExprId {
+        let (rows, _) = self.boundary_spaces(boundary);
+        let ty = self.chain(rows);
+        self.add(Kind::Apply(boundary, chain), ty)
+    }
+
+    /// The type of chains of these elements.
+    pub(super) fn chain(&self, space: crate::types::Element) -> Type {
+        Type::Vector {
+            number: Number::Integer,
+            length: crate::types::Dimension::atom(crate::types::Atom::Count(space)),
+            sparse: true,
+            space: Some(space),
+        }
+    }
+
+    /// An operation on operands of one size.
+    pub(super) fn entrywise(&mut self, op: Binary, a: ExprId, b: ExprId, shape: Shape) -> ExprId {
+        let (a, b) = (self.real(a), self.real(b));
+        if matches!(shape, Shape::Scalar) && self.ty(a).is_scalar() {
+            return self.add(Kind::Binary(Binary::Multiply, a, b), Type::REAL);
+        }
+        self.add(Kind::Binary(op, a, b), shape.real())
+    }
+
+    /// `A \\ b`, `A⁻¹ b`.
+    pub(super) fn solve(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        match (ta.shape(), tb.shape()) {
+            (Some(Shape::Scalar), Some(_)) => {
+                let (a, b) = (self.real(a), self.real(b));
+                let ty = self.ty(b).clone();
+                self.add(Kind::Binary(Binary::Divide, b, a), ty)
+            }
+            (Some(Shape::Matrix(n, m)), Some(right @ (Shape::Vector(_) | Shape::Matrix(..)))) => {
+                if n.differs(&m) {
+                    // of `A⁻¹ b` the matrix is `A`
+                    let matrix = match &sides.left.kind {
+                        ExprKind::Unary { operand, .. } => operand,
+                        _ => sides.left,
+                    };
+                    return self.not_square(sides.e.span, "solve with", matrix, &ta);
+                }
+                let rows = match &right {
+                    Shape::Vector(rows) | Shape::Matrix(rows, _) => rows.clone(),
+                    Shape::Scalar => return self.error(),
+                };
+                if n.differs(&rows) {
+                    return self.mismatch(
+                        sides,
+                        "solve with",
+                        "and the right side",
+                        &ta,
+                        &tb,
+                        "the right side must have as many rows as the matrix",
+                    );
+                }
+                let (a, b) = (self.real(a), self.real(b));
+                self.add_at(
+                    sides.e.span,
+                    Kind::Binary(Binary::Solve, a, b),
+                    right.real(),
+                )
+            }
+            _ => self.mismatch(
+                sides,
+                "solve with",
+                "and the right side",
+                &ta,
+                &tb,
+                "`A \\ b` takes a square matrix and a vector or matrix",
+            ),
+        }
+    }
+}
