@@ -52,6 +52,14 @@ iheartmesh! {
         d(k) = a_k b_k where k ∈ ℤ
     "#;
 
+    /// A sequence that is a parameter of a function, and indexed by elements there.
+    pub struct Weights = r#"
+        ElementSets from MeshConnectivity
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        w(y) = ∑_(v ∈ V) y_v where y_i ∈ ℝ
+    "#;
+
     /// A set of pairs.
     pub struct Indices = r#"
         P ∈ {ℤ×ℤ}
@@ -217,4 +225,13 @@ fn two_meshes() {
         two.try_g(Vertex::new(3)).unwrap_err().to_string(),
         "parameter `v` of `g` is vertex 3, which is not in `A` (3 members)"
     );
+}
+
+#[test]
+fn a_sequence_that_is_too_short_for_the_elements_that_index_it() {
+    let mesh = FaceMesh::from_triangles(4, &[[0, 1, 2], [1, 3, 2]]).unwrap();
+    let module = Weights::new(&mesh).unwrap();
+    assert_eq!(module.w(&[1.0, 2.0, 3.0, 4.0]), 10.0);
+    let error = module.try_w(&[1.0, 2.0]).unwrap_err().to_string();
+    assert!(error.contains("the sequence has no such item in `y_v`"), "{error}");
 }

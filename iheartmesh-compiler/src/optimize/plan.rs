@@ -317,7 +317,10 @@ impl MayFail {
                 !matches!(arena.kind(*index), Kind::Integer(_))
                     || arena.ty(*vector).fixed_vector().is_none()
             }
-            Kind::Item(_, index) => !arena.ty(*index).is_element(),
+            // the lengths of inputs that elements index are checked beforehand
+            Kind::Item(sequence, index) => {
+                !arena.ty(*index).is_element() || !matches!(arena.kind(*sequence), Kind::Input(_))
+            }
             Kind::Call(id, _) => self.function(*id),
             Kind::Global(id) => self.globals[id.0 as usize],
             _ => false,

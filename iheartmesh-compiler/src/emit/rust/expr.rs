@@ -65,7 +65,9 @@ impl Body<'_> {
                 }
             }
             Kind::Item(sequence, index)
-                if !self.index_may_fail(*index) && self.ty(*index).is_element() =>
+                if matches!(self.kind(*sequence), Kind::Input(_))
+                    && !self.index_may_fail(*index)
+                    && self.ty(*index).is_element() =>
             {
                 let base = self.reference(*sequence);
                 let place = self.element_index(*index);
@@ -261,12 +263,17 @@ impl Body<'_> {
         let found = if self.ty(index).is_element() {
             let may_fail = self.index_may_fail(index);
             let place = self.element_index(index);
-            match may_fail {
-                true => {
+            let is_input = matches!(self.kind(sequence), Kind::Input(_));
+            match (may_fail, is_input) {
+                (true, _) => {
                     let site = self.context.site(self.column_value(index));
-                    quote!(*rt::at(#base, #place, #site)?)
+                    quote!(*rt::at(&#base[..], #place, #site)?)
                 }
-                false => quote!(#base[#place]),
+                (false, true) => quote!(#base[#place]),
+                (false, false) => {
+                    let site = self.context.site(e);
+                    quote!(*rt::at(&#base[..], #place, #site)?)
+                }
             }
         } else {
             let place = self.owned(index);

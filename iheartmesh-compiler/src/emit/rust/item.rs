@@ -70,6 +70,12 @@ pub(super) fn items(
             #arguments
         }
 
+        impl ::std::fmt::Debug for #name<'_> {
+            fn fmt(&self, formatter: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                formatter.debug_struct(::std::stringify!(#name)).finish_non_exhaustive()
+            }
+        }
+
         #[allow(non_snake_case, uncommon_codepoints, unused_variables, clippy::all, clippy::pedantic)]
         impl<'a> #name<'a> {
             /// The text of the program.
