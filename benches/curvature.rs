@@ -27,6 +27,9 @@ use std::time::Duration;
 use measure::Effort;
 use tables::Setting;
 
+/// Prints a table.
+type Table = fn(Setting);
+
 fn main() {
     let mut setting = Setting {
         largest: 1_000_000,
@@ -62,7 +65,7 @@ fn main() {
             budget: Duration::ZERO,
         };
     }
-    let all: [(&str, fn(Setting)); 5] = [
+    let all: [(&str, Table); 5] = [
         ("whole", tables::whole),
         ("plan", tables::plan),
         ("one", tables::one),

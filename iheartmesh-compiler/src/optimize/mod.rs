@@ -33,7 +33,8 @@ pub struct Optimizations {
     pub share: bool,
     /// What depends only on the mesh is computed once per mesh and stored in tables.
     pub plan: bool,
-    /// Values of functions of one element are computed once for all elements where a whole field needs them often.
+    /// Values of functions of one element are computed once for all elements where a whole field needs them often, and
+    /// once for each element around a key where a single value needs them.
     pub fields: bool,
     /// Terms of a sum that share their elements are computed together and scattered.
     pub orbits: bool,
