@@ -1,11 +1,14 @@
-//! Programs of linear algebra, without a mesh, against values computed by hand.
+//! Programs of linear algebra, without a mesh, against values computed by hand, with and without optimisations.
 
 use iheartmesh::glam::{DMat2, DMat3, DVec2, DVec3};
-use iheartmesh::iheartmesh;
 use nalgebra::{DMatrix, DVector, SMatrix, dmatrix, dvector};
 
-iheartmesh! {
-    pub struct Dot = r#"
+#[macro_use]
+#[path = "support/twice.rs"]
+mod twice;
+
+programs! {
+    Dot, PlainDot = r#"
         a, b ∈ ℝ^n
         y = aᵀb + ‖a‖_1
         w_i = a_i b_i
@@ -17,7 +20,7 @@ iheartmesh! {
         q = ‖a‖_∞
     "#;
 
-    pub struct Blocks = r#"
+    Blocks, PlainBlocks = r#"
         A ∈ ℝ^(k×k)
         B ∈ ℝ^(k×m)
         C ∈ ℝ^(m×m)
@@ -29,14 +32,14 @@ iheartmesh! {
         d = |A|
     "#;
 
-    pub struct Least = r#"
+    Least, PlainLeast = r#"
         A ∈ ℝ^(m×n)
         b ∈ ℝ^m
         x = (AᵀA)⁻¹ Aᵀ b
         r = ‖A x - b‖²
     "#;
 
-    pub struct Fixed = r#"
+    Fixed, PlainFixed = r#"
         given
         R ∈ ℝ^(3×3)
         u, v ∈ ℝ³
@@ -52,7 +55,7 @@ iheartmesh! {
         T = [R u; 0 1]
     "#;
 
-    pub struct Sums = r#"
+    Sums, PlainSums = r#"
         x_i ∈ ℝ³
         w_i ∈ ℝ
         A ∈ ℝ^(m×n)
@@ -67,7 +70,7 @@ iheartmesh! {
         f = ∑_i x_i x_iᵀ
     "#;
 
-    pub struct Functions = r#"
+    Functions, PlainFunctions = r#"
         trace, diag, vec, rank, svd, null, det, inv from linearalgebra
         sin, cos from trigonometry
         A ∈ ℝ^(n×n)
@@ -85,7 +88,7 @@ iheartmesh! {
         A²
     "#;
 
-    pub struct Ball = r#"
+    Ball, PlainBall = r#"
         S ∈ {ℤ}
         a_i ∈ ℝ
         odd = { k+1 for k ∈ S if k > 2 and k < 9 }
@@ -97,7 +100,7 @@ iheartmesh! {
         where k ∈ ℤ
     "#;
 
-    pub struct Inner = r#"
+    Inner, PlainInner = r#"
         P ∈ ℝ^(n×n)
         x, y ∈ ℝ^n
         a = <x, y>_P
@@ -120,6 +123,7 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{a} is not {b}");
 }
 
+for_both! {
 #[test]
 fn vectors_of_a_named_size() {
     let (a, b) = (dvector![1.0, -2.0, 3.0], dvector![4.0, 5.0, 6.0]);
@@ -252,4 +256,5 @@ fn products_and_norms() {
     assert_eq!(module.r(), dvector![2.0, 1.0]);
     assert_eq!(module.q(), dvector![1.0, 3.0]);
     assert_eq!(module.D().to_dense()[[1, 1]], 2.0);
+}
 }

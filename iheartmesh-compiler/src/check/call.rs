@@ -5,12 +5,15 @@ use super::function::Signature;
 use super::scope::Found;
 use super::sizes::{Fit, Sizes, fit, fit_alone, fits, with_sizes};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, FunctionId, Kind};
+use crate::ir::{ExprId, FunctionId, Kind, Unary};
 use crate::resolve::symbols::{count, given};
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
 use crate::types::Type;
+
+/// What functions of arguments of any size cannot do yet.
+const ANY_SIZE: &str = "sequences of vectors or matrices of one size, where any size is taken, are";
 
 impl<'a> Checker<'a> {
     pub(super) fn call(
@@ -194,18 +197,62 @@ impl<'a> Checker<'a> {
             .values
             .iter()
             .zip(&parameters)
-            .map(|(v, ty)| self.convert(*v, ty))
+            .map(|(v, ty)| {
+                let value = self.convert(*v, &with_sizes(ty, sizes));
+                // a size known when the program is compiled is part of the type in Rust
+                let is_same = self.ty(value).is_fixed() == ty.is_fixed();
+                match ty.shape().is_none() || ty.is_sparse() || is_same {
+                    true => value,
+                    false => self.add(Kind::Unary(Unary::Reshape, value), ty.clone()),
+                }
+            })
             .collect();
         for (value, k) in values.iter().zip(0..) {
             if let Some(indexed) = self.sequence_parameter(id, k) {
                 self.note_parameter_indexed(*value, &indexed);
             }
         }
-        let ty = with_sizes(&self.result(id), sizes);
+        let own = self.result(id);
+        let ty = with_sizes(&own, sizes);
         if ty.is_error() {
             return self.error();
         }
-        self.add_at(call.span, Kind::Call(id, values), ty)
+        for (k, (value, parameter)) in values.iter().zip(&parameters).enumerate() {
+            if parameter.is_fixed() != self.ty(*value).is_fixed() {
+                return self.unsupported(call.arguments[k].span, ANY_SIZE);
+            }
+        }
+        let is_same = has_sizes_like(&own, &ty);
+        let stands = if is_same { &ty } else { &own };
+        let value = self.add_at(call.span, Kind::Call(id, values), stands.clone());
+        match is_same {
+            true => value,
+            false => self.with_known_sizes(call.span, value, &own, &ty),
+        }
+    }
+
+    /// The result of a function of arguments of any size, where the sizes of the arguments are known: in the type
+    /// with these sizes.
+    fn with_known_sizes(&mut self, span: Span, value: ExprId, own: &Type, ty: &Type) -> ExprId {
+        match (own, ty) {
+            (Type::Tuple(own), Type::Tuple(items)) => {
+                let mut list = Vec::new();
+                for (k, (own, ty)) in own.iter().zip(items).enumerate() {
+                    list.push(match has_sizes_like(own, ty) {
+                        true => self.project(value, k, ty.clone()),
+                        false => {
+                            let item = self.project(value, k, own.clone());
+                            self.with_known_sizes(span, item, own, ty)
+                        }
+                    });
+                }
+                self.add(Kind::Tuple(list), ty.clone())
+            }
+            _ if ty.shape().is_some() && !ty.is_sparse() => {
+                self.add(Kind::Unary(Unary::Reshape, value), ty.clone())
+            }
+            _ => self.unsupported(span, ANY_SIZE),
+        }
     }
 
     /// For a parameter that is a sequence indexed by elements, these.
@@ -358,4 +405,12 @@ struct Call<'c, 'a> {
     name: &'a Name,
     arguments: &'c [&'a Expr],
     values: &'c [ExprId],
+}
+
+/// Whether the sizes of one type are known when the program is compiled where those of the other are.
+fn has_sizes_like(a: &Type, b: &Type) -> bool {
+    match (a, b) {
+        (Type::Tuple(a), Type::Tuple(b)) => a.iter().zip(b).all(|(a, b)| has_sizes_like(a, b)),
+        _ => a.is_fixed() == b.is_fixed(),
+    }
 }

@@ -3,7 +3,7 @@
 use super::Checker;
 use super::scope::Found;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Binary, ExprId, Kind};
+use crate::ir::{Binary, ExprId, Kind, Unary};
 use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
 use crate::types::{Atom, Dimension, Number, Type};
 
@@ -214,7 +214,14 @@ impl<'a> Checker<'a> {
             _ => false,
         };
         match to.shape() {
-            Some(shape) if fits && !to.is_integer() => self.shaped(e, &shape),
+            Some(shape) if fits && !to.is_integer() => {
+                let value = self.shaped(e, &shape);
+                // a size known when the program is compiled is part of the type in Rust
+                match self.ty(value).is_fixed() == to.is_fixed() || to.is_sparse() {
+                    true => value,
+                    false => self.add(Kind::Unary(Unary::Reshape, value), to.clone()),
+                }
+            }
             _ => e,
         }
     }

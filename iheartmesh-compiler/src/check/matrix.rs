@@ -120,7 +120,11 @@ impl<'a> Checker<'a> {
         let dimension = match (self.program.arena.kind(value), &e.kind) {
             (Kind::Integer(n), _) => Dimension::known(*n),
             (Kind::Size(size), _) => size.clone(),
-            (_, ExprKind::Name(name)) => {
+            // a symbol of this module's sizes, or of those that the arguments of a function bring along
+            (kind, ExprKind::Name(name))
+                if matches!(kind, Kind::Input(_))
+                    || self.templates.get(&name.text) == Some(&value) =>
+            {
                 Dimension::atom(crate::types::Atom::Symbol(name.text.clone()))
             }
             _ => self.new_dimension(),

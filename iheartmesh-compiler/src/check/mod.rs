@@ -211,7 +211,7 @@ impl<'a> Checker<'a> {
             .globals
             .iter()
             .map(|g| (arena.ty(g.value), g.span));
-        let mut untyped = functions.chain(globals).filter(|(ty, _)| is_open(ty));
+        let mut untyped = functions.chain(globals).filter(|(ty, _)| ty.is_error());
         if let Some((_, span)) = untyped.next() {
             self.report(
                 Diagnostic::error(span, "the type of `{}` is not known here").help(
@@ -238,15 +238,5 @@ impl<'a> Checker<'a> {
         self.program
             .exports
             .push(Export::Global(GlobalId(id as u32)));
-    }
-}
-
-/// Whether a type is not known, in whole or in part.
-fn is_open(ty: &Type) -> bool {
-    match ty {
-        Type::Error => true,
-        Type::Set(item) | Type::Sequence { item, .. } => is_open(item),
-        Type::Tuple(items) => items.iter().any(is_open),
-        _ => false,
     }
 }

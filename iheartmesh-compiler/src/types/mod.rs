@@ -210,6 +210,19 @@ impl Type {
         }
     }
 
+    /// Whether all of its sizes are numbers; so it is for what has none.
+    pub fn is_fixed(&self) -> bool {
+        match self {
+            Type::Vector { length, .. } => length.value().is_some(),
+            Type::Matrix { rows, columns, .. } => {
+                rows.value().is_some() && columns.value().is_some()
+            }
+            Type::Sequence { item, .. } | Type::Set(item) => item.is_fixed(),
+            Type::Tuple(items) => items.iter().all(Type::is_fixed),
+            _ => true,
+        }
+    }
+
     /// The length of a dense vector of a fixed number of reals or integers.
     pub fn fixed_vector(&self) -> Option<i64> {
         match self {

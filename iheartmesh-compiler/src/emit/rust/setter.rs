@@ -67,6 +67,7 @@ impl Context<'_> {
     /// The definitions whose values depend on an input.
     fn dependent_globals(&self, input: InputId) -> Vec<GlobalId> {
         let program = self.program();
+        let sizes = self.own_sizes(input, program.input(input));
         let mut functions = vec![false; program.functions.len()];
         let mut globals = vec![false; program.globals.len()];
         loop {
@@ -76,6 +77,10 @@ impl Context<'_> {
                 crate::optimize::reachable(&program.arena, e, &mut |kind| {
                     found |= match kind {
                         Kind::Input(id) => *id == input,
+                        Kind::Size(size) => size
+                            .terms()
+                            .flat_map(|(_, atoms)| atoms)
+                            .any(|atom| sizes.contains(atom)),
                         Kind::Call(id, _) => functions[id.0 as usize],
                         Kind::Global(id) => globals[id.0 as usize],
                         _ => false,

@@ -51,12 +51,17 @@ impl Context<'_> {
     }
 
     fn is_size(&self, name: &str) -> bool {
-        self.values().any(|(id, input)| {
-            self.axes(id, input).iter().any(|axis| {
-                axis.dimension
-                    .terms()
-                    .any(|(_, atoms)| atoms.contains(&Atom::Symbol(name.to_owned())))
-            })
+        let atom = Atom::Symbol(name.to_owned());
+        self.values()
+            .any(|(id, input)| self.has_size(id, input, &atom))
+    }
+
+    /// Whether a symbol occurs in a size of an input.
+    fn has_size(&self, id: InputId, input: &Input, atom: &Atom) -> bool {
+        self.axes(id, input).iter().any(|axis| {
+            axis.dimension
+                .terms()
+                .any(|(_, atoms)| atoms.contains(atom))
         })
     }
 
@@ -168,19 +173,35 @@ impl Context<'_> {
 
     /// The sizes that change with new values of an input: those that only it has.
     pub(super) fn size_updates(&self, id: InputId, input: &Input) -> TokenStream {
+        self.changing_axes(id, input)
+            .map(|(field, _, found)| quote!(self.state.sizes.#field = #found;))
+            .collect()
+    }
+
+    /// The symbols of sizes that only an input has.
+    pub(super) fn own_sizes(&self, id: InputId, input: &Input) -> BTreeSet<Atom> {
+        self.changing_axes(id, input)
+            .map(|(_, atom, _)| atom)
+            .collect()
+    }
+
+    /// The fields of these sizes, their symbols, and their new values.
+    fn changing_axes(
+        &self,
+        id: InputId,
+        input: &Input,
+    ) -> impl Iterator<Item = (Ident, Atom, TokenStream)> {
         self.axes(id, input)
             .into_iter()
-            .filter(|axis| self.is_alone(&axis.dimension, id))
-            .filter_map(|axis| match axis.dimension.as_atom() {
+            .filter(move |axis| self.is_alone(&axis.dimension, id))
+            .filter_map(move |axis| match axis.dimension.as_atom() {
                 Some(atom @ (Atom::Symbol(name) | Atom::Length(name)))
                     if self.size_source(atom) == Some(id) =>
                 {
-                    let (field, found) = (self.size_field(atom, name), axis.found);
-                    Some(quote!(self.state.sizes.#field = #found;))
+                    Some((self.size_field(atom, name), atom.clone(), axis.found))
                 }
                 _ => None,
             })
-            .collect()
     }
 
     /// Checks that an input has the sizes that it is declared with. `again` after construction, when sizes are fixed.
@@ -188,6 +209,20 @@ impl Context<'_> {
         let name = &input.name;
         let field = self.input_field(id);
         let mut checks = TokenStream::new();
+        // a parameter that is the size itself stays as it is where another one has this size
+        let atom = Atom::Symbol(name.clone());
+        let holder = self
+            .values()
+            .find(|(other, input)| *other != id && self.has_size(*other, input, &atom));
+        if again
+            && input.ty == Type::INTEGER
+            && let Some((_, holder)) = holder
+        {
+            let (size, holder) = (self.size_field(&atom, name), &holder.name);
+            checks.extend(
+                quote!(rt::check_size(#name, "value", #field, sizes.#size, #name, #holder)?;),
+            );
+        }
         for axis in self.axes(id, input) {
             if matches!(axis.dimension.as_atom(), Some(Atom::Count(_)))
                 || axis.dimension.value().is_some() && !axis.of_items
