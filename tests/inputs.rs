@@ -233,5 +233,8 @@ fn a_sequence_that_is_too_short_for_the_elements_that_index_it() {
     let module = Weights::new(&mesh).unwrap();
     assert_eq!(module.w(&[1.0, 2.0, 3.0, 4.0]), 10.0);
     let error = module.try_w(&[1.0, 2.0]).unwrap_err().to_string();
-    assert!(error.contains("the sequence has no such item in `y_v`"), "{error}");
+    assert!(
+        error.contains("the sequence has no such item in `y_v`"),
+        "{error}"
+    );
 }

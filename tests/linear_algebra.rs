@@ -195,7 +195,7 @@ fn fixed_sizes() {
 fn sums() {
     let x = [DVec3::X, DVec3::Y, DVec3::Z];
     let a = dmatrix![1.0, 2.0; 3.0, 4.0];
-    let module = Sums::new(&x, [1.0, 2.0, 3.0], &a).unwrap();
+    let module = Sums::new(x, [1.0, 2.0, 3.0], &a).unwrap();
     assert_eq!(module.c(), DVec3::new(1.0, 2.0, 3.0) / 6.0);
     close(module.s(), 10.0);
     close(module.t(), 5.0);
@@ -221,7 +221,7 @@ fn functions() {
     close(module.g(2.0), 10.0);
     close(module.l(), 3.0 + 2.0 + 1.0);
     close(module.R(0.5).x_axis.y, 0.5f64.sin());
-    close(module.h(dvector![1.0, 2.0], &dvector![3.0, 4.0]), 11.0);
+    close(module.h(dvector![1.0, 2.0], dvector![3.0, 4.0]), 11.0);
     assert_eq!(module.ret(), &a * &a);
 }
 

@@ -83,6 +83,21 @@ fn plan(staged: &StagedProgram, plan: &Plan, text: &mut String) {
             );
         }
     }
+    for local in &plan.locals {
+        let space = format!(
+            "{}.{}",
+            program.arena.variable_name(local.space),
+            local.space.0
+        );
+        let columns: Vec<String> = local.calls.iter().map(|(_, k)| format!("⟨{k}⟩")).collect();
+        let name = &program.function(local.function).name;
+        let _ = writeln!(
+            text,
+            "    {name}#{} once for each different element in {} of the rows {space} of a key",
+            local.function.0,
+            columns.join(", ")
+        );
+    }
 }
 
 fn whole(staged: &StagedProgram, code: &Staged, text: &mut String) {

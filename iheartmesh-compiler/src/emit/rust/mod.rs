@@ -156,7 +156,9 @@ impl Context<'_> {
                 _ => "the set has no member of this number".to_owned(),
             },
             Kind::Sized(_, n) => format!("the set does not have exactly {n} members"),
-            Kind::Item(_, index) if arena.ty(*index).is_element() => "the sequence has no such item".to_owned(),
+            Kind::Item(_, index) if arena.ty(*index).is_element() => {
+                "the sequence has no such item".to_owned()
+            }
             Kind::Item(..) => "the sequence has no item of this number".to_owned(),
             Kind::Component(..) => "the vector has no entry of this number".to_owned(),
             Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set".to_owned(),
