@@ -103,6 +103,34 @@ programs! {
         e_i = i b_i
     "#;
 
+    Sparse, PlainSparse = r#"
+        null from linearalgebra
+        A ∈ ℝ^(n×n) sparse
+        B ∈ ℝ^(2×3)
+        C ∈ ℝ^(3×1)
+        x ∈ ℝ^n
+        a = A x
+        b = Aᵀ x
+        c = A A
+        d = A + A
+        e = A - I_n
+        f = xᵀ A x
+        g = 2 A
+        h = A_1,2
+        s = ∑_i A_ii
+        t = A⁻¹ x
+        D_ii = x_i
+        E = D + A
+        F = I_n + D
+        u = { A if x_1 > 0
+              2 A otherwise
+        v = { A if x_1 < 0
+              I_n otherwise
+        w = null(B) + C
+        y = C + null(B)
+        z = null(B) + null(B)
+    "#;
+
     Counts, PlainCounts = r#"
         n, m ∈ ℤ
         b ∈ ℝ^n
@@ -248,5 +276,42 @@ fn sizes_that_are_handed_in() {
     let error = module.set_n(3).unwrap_err().to_string();
     assert_eq!(error, "the value of `n` is 3 but should be 2: it is `n`, and `b` says so");
     assert_eq!(module.c().nrows(), 2);
+}
+
+#[test]
+fn sparse_matrices() {
+    let a = dmatrix![1.0, 2.0; 0.0, 3.0];
+    let mut triplets = iheartmesh::sprs::TriMat::new((2, 2));
+    triplets.add_triplet(0, 0, 1.0);
+    triplets.add_triplet(0, 1, 2.0);
+    triplets.add_triplet(1, 1, 3.0);
+    let b = SMatrix::<f64, 2, 3>::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
+    let c = SMatrix::<f64, 3, 1>::new(1.0, 2.0, 3.0);
+    let x = dvector![1.0, 2.0];
+    let sparse: iheartmesh::sprs::CsMat<f64> = triplets.to_csc();
+    let module = Sparse::new(sparse, b, c, &x).unwrap();
+    let dense = |m: &iheartmesh::sprs::CsMat<f64>| {
+        let m = m.to_dense();
+        DMatrix::from_fn(2, 2, |i, j| m[[i, j]])
+    };
+    let one = DMatrix::<f64>::identity(2, 2);
+    let d = DMatrix::from_diagonal(&x);
+    assert_eq!(module.a(), &a * &x);
+    assert_eq!(module.b(), a.transpose() * &x);
+    assert_eq!(dense(&module.c()), &a * &a);
+    assert_eq!(dense(&module.d()), &a * 2.0);
+    assert_eq!(module.e(), &a - &one);
+    close(module.f(), 17.0);
+    assert_eq!(dense(&module.g()), &a * 2.0);
+    close(module.h(), 2.0);
+    close(module.s(), 4.0);
+    assert!((&a * module.t() - &x).amax() < 1e-12);
+    assert_eq!(dense(&module.E()), &d + &a);
+    assert_eq!(module.F(), &d + &one);
+    assert_eq!(dense(&module.u()), a);
+    assert_eq!(module.v(), one);
+    let null = DMatrix::from_column_slice(3, 1, &[1.0, 2.0, 3.0]);
+    assert!((module.w() - module.y()).amax() < 1e-12);
+    assert!((module.w() - null - module.z() / 2.0).amax() < 1e-12);
 }
 }

@@ -199,12 +199,7 @@ impl<'a> Checker<'a> {
             .zip(&parameters)
             .map(|(v, ty)| {
                 let value = self.convert(*v, &with_sizes(ty, sizes));
-                // a size known when the program is compiled is part of the type in Rust
-                let is_same = self.ty(value).is_fixed() == ty.is_fixed();
-                match ty.shape().is_none() || ty.is_sparse() || is_same {
-                    true => value,
-                    false => self.add(Kind::Unary(Unary::Reshape, value), ty.clone()),
-                }
+                self.represented(value, ty)
             })
             .collect();
         for (value, k) in values.iter().zip(0..) {

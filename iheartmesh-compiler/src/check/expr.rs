@@ -216,13 +216,20 @@ impl<'a> Checker<'a> {
         match to.shape() {
             Some(shape) if fits && !to.is_integer() => {
                 let value = self.shaped(e, &shape);
-                // a size known when the program is compiled is part of the type in Rust
-                match self.ty(value).is_fixed() == to.is_fixed() || to.is_sparse() {
-                    true => value,
-                    false => self.add(Kind::Unary(Unary::Reshape, value), to.clone()),
-                }
+                self.represented(value, to)
             }
             _ => e,
+        }
+    }
+
+    /// A vector or matrix in the representation of another one of its shape: a size that is known when the program is
+    /// compiled is part of the type in Rust, and sparse matrices are types of their own.
+    pub(super) fn represented(&mut self, value: ExprId, to: &Type) -> ExprId {
+        let ty = self.ty(value);
+        let is_same = ty.is_fixed() == to.is_fixed() && ty.is_sparse() == to.is_sparse();
+        match is_same || to.is_sparse() || to.shape().is_none() {
+            true => value,
+            false => self.add(Kind::Unary(Unary::Reshape, value), to.clone()),
         }
     }
 
@@ -254,7 +261,7 @@ impl<'a> Checker<'a> {
                 if ty.is_scalar() && ty.is_integer() && other.is_integer() {
                     continue;
                 }
-                ty = match (&ty, ty.is_sparse() || ty.is_integer()) {
+                ty = match (&ty, ty.is_integer()) {
                     (ty, false) if ty == other => ty.clone(),
                     _ => shape.real(),
                 };

@@ -323,12 +323,14 @@ impl<'a> Checker<'a> {
             _ if self.same_shape(&ta, &tb).is_some() => {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
                 let (a, b) = (self.shaped(a, &shape), self.shaped(b, &shape));
-                let sparse = self.ty(a).is_sparse() && self.ty(b).is_sparse();
-                let ty = if sparse {
-                    self.ty(a).clone()
-                } else {
-                    shape.real()
+                let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+                let ty = match (ta.is_sparse(), tb.is_sparse()) {
+                    (true, true) => ta,
+                    // what has no fixed size decides
+                    _ if !tb.is_fixed() => tb.shape().map_or(ta, Shape::real),
+                    _ => shape.real(),
                 };
+                let (a, b) = (self.represented(a, &ty), self.represented(b, &ty));
                 self.add(Kind::Binary(op, a, b), ty)
             }
             (Type::Element(_), _) | (_, Type::Element(_)) => {

@@ -57,7 +57,7 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
     order?;
     match arena.kind(e) {
         Kind::Binary(Binary::Add | Binary::Subtract, a, b) => check(
-            ty(*a) == ty(*b) && ty(*a) == ty(e),
+            are_alike(ty(*a), ty(*b)) && are_alike(ty(*a), ty(e)),
             "a sum of different types",
         ),
         Kind::Binary(Binary::Multiply, a, b) => check(
@@ -85,5 +85,28 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
             "a loop over something other than a set",
         ),
         _ => Ok(()),
+    }
+}
+
+/// Whether two types are the same, but for sizes that are known only at run time.
+fn are_alike(a: &Type, b: &Type) -> bool {
+    match (a, b) {
+        (Type::Vector { length: n, .. }, Type::Vector { length: m, .. }) => {
+            !n.differs(m) && a.is_fixed() == b.is_fixed() && a.is_sparse() == b.is_sparse()
+        }
+        (
+            Type::Matrix { rows, columns, .. },
+            Type::Matrix {
+                rows: n,
+                columns: m,
+                ..
+            },
+        ) => {
+            !rows.differs(n)
+                && !columns.differs(m)
+                && a.is_fixed() == b.is_fixed()
+                && a.is_sparse() == b.is_sparse()
+        }
+        _ => a == b,
     }
 }

@@ -52,6 +52,17 @@ impl Square for DMatrix<f64> {
     }
 }
 
+/// Sparse matrices are factorised as dense ones.
+impl Square for sprs::CsMat<f64> {
+    fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
+        dynamic(self).solution(b)
+    }
+
+    fn determinant(&self) -> f64 {
+        dynamic(self).determinant()
+    }
+}
+
 macro_rules! small {
     ($matrix:ty, $n:literal) => {
         impl Square for $matrix {
