@@ -131,6 +131,26 @@ programs! {
         z = null(B) + null(B)
     "#;
 
+    Shapes, PlainShapes = r#"
+        v ∈ ℝ³
+        A ∈ ℝ^(n×n)
+        a ∈ ℤ^n
+        B ∈ ℤ^(2×2)
+        f(a) = tuple(a, 2a) where a ∈ ℝ^p
+        s, t = f(v)
+        w = s + t
+        z = B (1, 2)
+        c = a_1 + 1
+        u = ∑_i a_i
+        d = |B|
+        P(k) = { I_n if k < 1
+                 A P(k - 1) otherwise
+            where k ∈ ℤ
+        g(i, j) = A_i,j where i, j ∈ ℤ
+        B̄_ij = g(i, j) + A_ij
+        h(s) = ‖y‖ where s ∈ ℝ, y_i = s A_i,1
+    "#;
+
     Counts, PlainCounts = r#"
         n, m ∈ ℤ
         b ∈ ℝ^n
@@ -313,5 +333,21 @@ fn sparse_matrices() {
     let null = DMatrix::from_column_slice(3, 1, &[1.0, 2.0, 3.0]);
     assert!((module.w() - module.y()).amax() < 1e-12);
     assert!((module.w() - null - module.z() / 2.0).amax() < 1e-12);
+}
+
+#[test]
+fn shapes() {
+    let a = dmatrix![1.0, 2.0; 3.0, 4.0];
+    let v = DVec3::new(1.0, 2.0, 3.0);
+    let b = SMatrix::<i64, 2, 2>::new(1, 2, 3, 4);
+    let module = Shapes::new(v, &a, dvector![5, 6], b).unwrap();
+    assert_eq!(module.w(), v * 3.0);
+    assert_eq!(module.z(), DVec2::new(5.0, 11.0));
+    assert_eq!(module.c(), 6);
+    close(module.u() as f64, 11.0);
+    close(module.d(), -2.0);
+    assert_eq!(module.P(3), &a * &a * &a);
+    assert_eq!(module.B̄(), &a * 2.0);
+    close(module.h(2.0), 40f64.sqrt());
 }
 }

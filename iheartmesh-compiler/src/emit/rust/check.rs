@@ -99,7 +99,7 @@ impl Context<'_> {
             .parameters
             .iter()
             .map(|p| {
-                let name = names::ident(&names::rust_name(&p.name));
+                let name = names::argument(&p.name);
                 let (called, written, set) = (&function.name, &p.name, &p.within_name);
                 if let Some(members) = self.members(p.within) {
                     return match p.ty.is_element() {

@@ -140,7 +140,7 @@ impl Context<'_> {
             false => quote!(#module::#inner),
         };
         let arguments = function.parameters.iter().map(|p| {
-            let name = names::ident(&names::rust_name(&p.name));
+            let name = names::argument(&p.name);
             match &p.ty {
                 ty if !super::item::is_converted(ty) => self.to_inner(quote!(#name), ty),
                 ty if self.is_same_outside(ty) => quote!(#name.as_ref()),
@@ -162,7 +162,7 @@ impl Context<'_> {
             .iter()
             .filter(|p| super::item::is_converted(&p.ty))
             .map(|p| {
-                let name = names::ident(&names::rust_name(&p.name));
+                let name = names::argument(&p.name);
                 let krate = self.krate;
                 let outer = self.outer_type(&p.ty);
                 match &p.ty {
@@ -178,7 +178,7 @@ impl Context<'_> {
 
     fn shown_arguments(&self, parameters: &[Parameter]) -> TokenStream {
         let shown = parameters.iter().map(|p| {
-            let name = names::ident(&names::rust_name(&p.name));
+            let name = names::argument(&p.name);
             match &p.ty {
                 Type::Element(_) | Type::Scalar(_) => quote!(&#name),
                 ty if ty.fixed_vector().is_some() => quote!(&rt::Shown(&#name)),
@@ -219,7 +219,7 @@ impl Context<'_> {
             .parameters
             .iter()
             .map(|p| {
-                let name = names::ident(&names::rust_name(&p.name));
+                let name = names::argument(&p.name);
                 (name, self.parameter_type(&p.ty, &quote!('b)))
             })
             .unzip();
@@ -349,7 +349,7 @@ impl Context<'_> {
             let names: Vec<Ident> = function
                 .parameters
                 .iter()
-                .map(|p| names::ident(&names::rust_name(&p.name)))
+                .map(|p| names::argument(&p.name))
                 .collect();
             // sets and sequences go in owned or borrowed
             let by_reference = function

@@ -82,6 +82,15 @@ fn greek_name(c: char) -> Option<&'static str> {
     }
 }
 
+/// The argument of a method for a parameter of a function: what generated code calls its own values stays free.
+pub fn argument(name: &str) -> Ident {
+    let name = rust_name(name);
+    match name.as_str() {
+        "s" | "t" | "rt" | "sizes" | "value" | "fault" => ident(&format!("{name}_")),
+        _ => ident(&name),
+    }
+}
+
 /// An identifier; keywords become raw identifiers.
 pub fn ident(name: &str) -> Ident {
     match name {
