@@ -149,6 +149,10 @@ programs! {
         g(i, j) = A_i,j where i, j ∈ ℤ
         B̄_ij = g(i, j) + A_ij
         h(s) = ‖y‖ where s ∈ ℝ, y_i = s A_i,1
+        S = {A_1,*, A_2,*, A_1,*}
+        T = { x⋅x for x ∈ S }
+        Q = {A, 0 A}
+        R = { [v (0 v)] for x ∈ S }
     "#;
 
     Counts, PlainCounts = r#"
@@ -349,5 +353,9 @@ fn shapes() {
     assert_eq!(module.P(3), &a * &a * &a);
     assert_eq!(module.B̄(), &a * 2.0);
     close(module.h(2.0), 40f64.sqrt());
+    assert_eq!(module.S().as_slice(), [dvector![1.0, 2.0], dvector![3.0, 4.0]]);
+    assert_eq!(module.T().as_slice(), [5.0, 25.0]);
+    assert_eq!(module.Q().as_slice(), [&a * 0.0, a.clone()]);
+    assert_eq!(module.R().len(), 1);
 }
 }

@@ -5,7 +5,7 @@
 use std::cmp::Ordering;
 use std::fmt::{self, Debug};
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DMat2, DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use crate::element::{Cell, Edge, Face, Vertex};
 
@@ -70,6 +70,49 @@ macro_rules! vector_set_item {
 }
 
 vector_set_item!(DVec2, DVec3, DVec4);
+
+/// Matrices and longer vectors: by their numbers of rows and columns, then by their entries, column by column.
+macro_rules! matrix_set_item {
+    ($($name:ty $(, $parameter:ident)*;)*) => {$(
+        impl<T: SetItem + nalgebra::Scalar $(, const $parameter: usize)*> SetItem for $name {
+            fn order(&self, other: &Self) -> Ordering {
+                let entries = self.iter().zip(other.iter());
+                self.shape().cmp(&other.shape()).then_with(|| {
+                    entries
+                        .map(|(left, right)| left.order(right))
+                        .find(|ordering| ordering.is_ne())
+                        .unwrap_or(Ordering::Equal)
+                })
+            }
+
+            fn normalised(self) -> Self {
+                self.map(SetItem::normalised)
+            }
+        }
+    )*};
+}
+
+matrix_set_item! {
+    nalgebra::DVector<T>;
+    nalgebra::DMatrix<T>;
+    nalgebra::SMatrix<T, R, C>, R, C;
+}
+
+macro_rules! small_matrix_set_item {
+    ($($name:ty),*) => {$(
+        impl SetItem for $name {
+            fn order(&self, other: &Self) -> Ordering {
+                lexicographic(self.as_ref(), other.as_ref())
+            }
+
+            fn normalised(self) -> Self {
+                Self::from_cols_array(&self.to_cols_array().map(SetItem::normalised))
+            }
+        }
+    )*};
+}
+
+small_matrix_set_item!(DMat2, DMat3, DMat4);
 
 #[inline]
 fn lexicographic<const N: usize>(left: &[f64; N], right: &[f64; N]) -> Ordering {

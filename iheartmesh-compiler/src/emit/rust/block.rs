@@ -335,7 +335,7 @@ impl<'a> Body<'a> {
                 }
                 _ => {
                     let set = self.reference(*set);
-                    quote!(for #name in (#set).iter().cloned())
+                    quote!(for #name in (#set).iter())
                 }
             },
             Range::Rows => self.rows_head(variable),
