@@ -231,8 +231,8 @@ fn two_meshes() {
 fn a_sequence_that_is_too_short_for_the_elements_that_index_it() {
     let mesh = FaceMesh::from_triangles(4, &[[0, 1, 2], [1, 3, 2]]).unwrap();
     let module = Weights::new(&mesh).unwrap();
-    assert_eq!(module.w(&[1.0, 2.0, 3.0, 4.0]), 10.0);
-    let error = module.try_w(&[1.0, 2.0]).unwrap_err().to_string();
+    assert_eq!(module.w([1.0, 2.0, 3.0, 4.0]), 10.0);
+    let error = module.try_w([1.0, 2.0]).unwrap_err().to_string();
     assert!(
         error.contains("the sequence has no such item in `y_v`"),
         "{error}"

@@ -102,7 +102,7 @@ impl fmt::Display for Error {
                     "the {what} of `{parameter}` is {found} but should be {expected}: it is `{written}`"
                 )?;
                 match source.is_empty() || source == parameter {
-                    true => write!(f, ", which does not change after construction"),
+                    true => write!(f, ", which has this value elsewhere"),
                     false => write!(f, ", and `{source}` says so"),
                 }
             }

@@ -1,5 +1,6 @@
 //! `hlangc`: what a program becomes at each stage.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -23,8 +24,14 @@ Compiles a program and prints what it is at a stage:
   rust    the generated Rust (the default)
 
   --without PASS     leaves out an optimisation: traverse, inline, share, plan, fields, orbits, or all
-  --library FOLDER   looks for imported modules in FOLDER as well; the folder of the file and any
+  --library FOLDER   looks for imported modules in FOLDER as well; the standard ones are built in; the folder of the file and any
                      `neighborhoods/src` above it or above the current folder are always looked at";
+
+/// The standard modules, for programs outside of this workspace.
+const STANDARD: &[(&str, &str)] = &[(
+    "Neighborhoods",
+    include_str!("../../../neighborhoods/src/Neighborhoods.hlang"),
+)];
 
 struct Arguments {
     emit: String,
@@ -47,7 +54,8 @@ fn main() -> ExitCode {
     };
     match run(&arguments) {
         Ok(text) => {
-            println!("{}", text.trim_end());
+            // a reader that has seen enough may have closed the pipe
+            let _ = writeln!(std::io::stdout(), "{}", text.trim_end());
             ExitCode::SUCCESS
         }
         Err(message) => {
@@ -190,8 +198,14 @@ fn libraries(source: &Source, arguments: &Arguments) -> Result<Vec<Library>, Str
         }
         // what is not found is reported where it is imported
         let candidates = folders.iter().map(|f| f.join(format!("{name}.hlang")));
-        if let Some(file) = candidates.into_iter().find(|f| f.is_file()) {
-            let source = read(&file)?;
+        let file = candidates.into_iter().find(|f| f.is_file());
+        let standard = STANDARD.iter().find(|(standard, _)| *standard == name);
+        let source = match (file, standard) {
+            (Some(file), _) => Some(read(&file)?),
+            (None, Some((name, text))) => Some(Source::file(format!("{name}.hlang"), *text)),
+            (None, None) => None,
+        };
+        if let Some(source) = source {
             open.extend(imported_modules(&source));
             found.push(Library { name, source });
         }

@@ -73,6 +73,11 @@ impl<'a> Checker<'a> {
     fn name(&mut self, name: &Name) -> ExprId {
         match self.find(name) {
             Found::Value(value) => value,
+            Found::Error if name.text == "I" && !self.is_bound("I") => self.report(
+                Diagnostic::error(name.span, "the size of this identity matrix is not known").help(
+                    "write `I_n` with its size; `I` alone stands for a block between others, as in `[A 0; 0 I]`",
+                ),
+            ),
             Found::Error => self.error(),
             Found::Dimension => {
                 let dimension = Dimension::atom(Atom::Symbol(name.text.clone()));

@@ -12,7 +12,7 @@ use crate::types::display::plural;
 impl<'a> Checker<'a> {
     pub(super) fn big(
         &mut self,
-        _e: &'a Expr,
+        e: &'a Expr,
         op: BigOp,
         head: &'a Head,
         body: &'a Expr,
@@ -105,7 +105,8 @@ impl<'a> Checker<'a> {
                 (value, self.ty(value).clone())
             }
         };
-        self.add(
+        self.add_at(
+            e.span,
             Kind::Fold {
                 op: fold,
                 variable,

@@ -318,7 +318,7 @@ impl<'a> Checker<'a> {
             (Type::Scalar(_), Type::Scalar(_)) => {
                 let (a, b) = self.common(a, b);
                 let ty = self.ty(a).clone();
-                self.add(Kind::Binary(op, a, b), ty)
+                self.add_at(sides.e.span, Kind::Binary(op, a, b), ty)
             }
             _ if self.same_shape(&ta, &tb).is_some() => {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
@@ -331,7 +331,7 @@ impl<'a> Checker<'a> {
                     _ => shape.real(),
                 };
                 let (a, b) = (self.represented(a, &ty), self.represented(b, &ty));
-                self.add(Kind::Binary(op, a, b), ty)
+                self.add_at(sides.e.span, Kind::Binary(op, a, b), ty)
             }
             (Type::Element(_), _) | (_, Type::Element(_)) => {
                 self.mismatch(sides, verb, preposition, &ta, &tb, NOT_NUMBERS)

@@ -16,12 +16,12 @@ impl<'a> Checker<'a> {
             (Type::Scalar(_), Type::Scalar(_)) => {
                 let (a, b) = self.common(a, b);
                 let ty = self.ty(a).clone();
-                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
+                self.add_at(sides.e.span, Kind::Binary(Binary::Multiply, a, b), ty)
             }
             (Type::Scalar(_), _) if tb.shape().is_some() => {
                 let (a, b) = (self.real(a), self.real(b));
                 let ty = self.ty(b).clone();
-                self.add(Kind::Binary(Binary::Multiply, a, b), ty)
+                self.add_at(sides.e.span, Kind::Binary(Binary::Multiply, a, b), ty)
             }
             (_, Type::Scalar(_)) if ta.shape().is_some() => {
                 let (a, b) = (self.real(a), self.real(b));

@@ -11,7 +11,7 @@ pub use inline::reachable;
 pub use locals::is_read_from_row;
 mod orbits;
 mod plan;
-pub use plan::MayFail;
+pub use plan::{MayFail, may_overflow};
 pub mod rewrite;
 mod share;
 pub mod show;

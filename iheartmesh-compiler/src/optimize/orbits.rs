@@ -105,6 +105,10 @@ fn orbit(
         return None;
     }
     let arena = &mut staged.program.arena;
+    // sums of integers are checked as they are formed
+    if *arena.ty(sum) == Type::INTEGER {
+        return None;
+    }
     let columns = element_columns(arena, term, key, space)?;
     if columns.is_empty() || columns.len() + 1 > MOST_ELEMENTS {
         return None;

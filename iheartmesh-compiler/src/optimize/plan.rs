@@ -13,7 +13,8 @@ use std::collections::HashMap;
 use super::binding::{Binding, Expressions};
 use super::{Column, Plan, Rows, Space, Staged, StagedProgram};
 use crate::ir::{
-    Arena, Binary, ExprId, Function, FunctionId, GlobalId, Kind, Program, Range, Unary, VariableId,
+    Arena, Binary, ExprId, Fold, Function, FunctionId, GlobalId, Kind, Program, Range, Unary,
+    VariableId,
 };
 use crate::types::{Element, Type};
 
@@ -312,7 +313,13 @@ impl MayFail {
             Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) => true,
             Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
-            Kind::Fold { op, .. } => matches!(op, crate::ir::Fold::Min | crate::ir::Fold::Max),
+            Kind::Fold { op, .. } => {
+                matches!(op, Fold::Min | Fold::Max)
+                    || matches!(op, Fold::Sum | Fold::Product) && *arena.ty(e) == Type::INTEGER
+            }
+            Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
+                may_overflow(arena, e)
+            }
             Kind::Component(vector, index) => {
                 !matches!(arena.kind(*index), Kind::Integer(_))
                     || arena.ty(*vector).fixed_vector().is_none()
@@ -326,4 +333,29 @@ impl MayFail {
             _ => false,
         }
     }
+}
+
+/// Whether an operation on integers may leave the range of `i64`: it cannot with numbers of elements, entries of
+/// boundary matrices and small numbers.
+pub fn may_overflow(arena: &Arena, e: ExprId) -> bool {
+    fn bits(arena: &Arena, e: ExprId) -> u32 {
+        match arena.kind(e) {
+            Kind::Integer(value) => 65 - value.unsigned_abs().leading_zeros(),
+            Kind::Entry(..) => 2,
+            Kind::Cardinality(_) | Kind::Extent(..) => 34,
+            Kind::Unary(Unary::ToInteger, _) => 34,
+            Kind::Unary(Unary::Negate | Unary::Absolute, a) => bits(arena, *a),
+            Kind::Binary(Binary::Add | Binary::Subtract, a, b) => {
+                bits(arena, *a).max(bits(arena, *b)) + 1
+            }
+            Kind::Binary(Binary::Multiply, a, b) => bits(arena, *a) + bits(arena, *b),
+            _ => 64,
+        }
+    }
+    *arena.ty(e) == Type::INTEGER
+        && matches!(
+            arena.kind(e),
+            Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..)
+        )
+        && bits(arena, e) > 63
 }

@@ -79,7 +79,7 @@ impl Resolver<'_> {
         let Some(syntax) = self.libraries.get(&module.text).cloned() else {
             let libraries = self.libraries.keys().map(String::as_str);
             let known = libraries.chain(builtin::MODULES.iter().copied());
-            let help = match closest(&module.text, known) {
+            let help = match closest(&module.text, known).filter(|close| *close != module.text) {
                 Some(close) => format!("did you mean `{close}`?"),
                 None => format!(
                     "`use path::to::{0};` in front of the `struct` brings in a module of Rust; \

@@ -109,3 +109,42 @@ pub fn sized<S: AsRef<[T]>, T>(set: S, n: usize, fault: Fault) -> Fallible<S> {
         Err(fault)
     }
 }
+
+/// A result of integer arithmetic, if it is in range.
+#[inline(always)]
+pub fn integers(value: Option<i64>, fault: Fault) -> Fallible<i64> {
+    value.ok_or(fault)
+}
+
+/// Calls of functions that call themselves go no deeper than this, so that one without an end fails before the stack
+/// of a thread is used up.
+const DEEPEST_RECURSION: u32 = 500;
+
+thread_local! {
+    static DEPTH: std::cell::Cell<u32> = const { std::cell::Cell::new(0) };
+}
+
+/// One call of a function that calls itself; ends when it is dropped.
+pub struct Recursion(());
+
+impl Recursion {
+    /// Goes one call deeper.
+    ///
+    /// # Errors
+    /// When it would be too deep.
+    pub fn enter(fault: Fault) -> Fallible<Self> {
+        DEPTH.with(|depth| {
+            if depth.get() >= DEEPEST_RECURSION {
+                return Err(fault);
+            }
+            depth.set(depth.get() + 1);
+            Ok(Self(()))
+        })
+    }
+}
+
+impl Drop for Recursion {
+    fn drop(&mut self) {
+        DEPTH.with(|depth| depth.set(depth.get() - 1));
+    }
+}

@@ -22,7 +22,9 @@ pub use check::{
     check_members, check_same_length, check_set, check_set_argument, check_size, fail, undefined,
 };
 pub use dense::*;
-pub use fault::{Fallible, Fault, PlanError, at, element, encoded, entry, integer, sized};
+pub use fault::{
+    Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, integer, integers, sized,
+};
 pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,

@@ -197,14 +197,14 @@ impl<'a> Body<'a> {
         let before = self.statements(outside, &[]);
         let inside = match condition {
             None => {
-                let step = self.step(*op, ty, *body);
+                let step = self.step(e, *op, ty, *body);
                 quote!(#before #step)
             }
             Some(condition) => {
                 let condition = self.owned(*condition);
                 let taken = self.placement.part(e, Part::Taken);
                 let statements = self.statements(taken, &[]);
-                let step = self.step(*op, ty, *body);
+                let step = self.step(e, *op, ty, *body);
                 quote!(#before if #condition { #statements #step })
             }
         };
@@ -268,8 +268,16 @@ impl<'a> Body<'a> {
     }
 
     /// What a loop does with each value.
-    fn step(&mut self, op: Fold, ty: &Type, body: ExprId) -> TokenStream {
+    fn step(&mut self, e: ExprId, op: Fold, ty: &Type, body: ExprId) -> TokenStream {
         match op {
+            Fold::Sum | Fold::Product if ty.is_integer() && ty.is_scalar() => {
+                let value = self.owned(body);
+                let site = self.context.site(e);
+                match op {
+                    Fold::Sum => quote!(sum = rt::integers(sum.checked_add(#value), #site)?;),
+                    _ => quote!(product = rt::integers(product.checked_mul(#value), #site)?;),
+                }
+            }
             Fold::Sum if ty.is_scalar() || super::types::is_glam(ty) => {
                 let value = self.owned(body);
                 quote!(sum += #value;)

@@ -319,11 +319,22 @@ impl Body<'_> {
             Kind::Real(bits) => Some(f64::from_bits(*bits)),
             _ => None,
         };
+        let overflows = crate::optimize::may_overflow(&self.context.program().arena, e);
+        let site = self.context.site(e);
         let (a, b) = (self.owned(a), self.owned(b));
         match op {
-            Binary::Add if integer => quote!((#a).wrapping_add(#b)),
-            Binary::Subtract if integer => quote!((#a).wrapping_sub(#b)),
-            Binary::Multiply if integer => quote!((#a).wrapping_mul(#b)),
+            Binary::Add if integer && overflows => {
+                quote!(rt::integers((#a).checked_add(#b), #site)?)
+            }
+            Binary::Add if integer => quote!((#a + #b)),
+            Binary::Subtract if integer && overflows => {
+                quote!(rt::integers((#a).checked_sub(#b), #site)?)
+            }
+            Binary::Subtract if integer => quote!((#a - #b)),
+            Binary::Multiply if integer && overflows => {
+                quote!(rt::integers((#a).checked_mul(#b), #site)?)
+            }
+            Binary::Multiply if integer => quote!((#a * #b)),
             Binary::Add => quote!((#a + #b)),
             Binary::Subtract => quote!((#a - #b)),
             Binary::Multiply => quote!((#a * #b)),

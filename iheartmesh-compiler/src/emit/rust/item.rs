@@ -130,7 +130,7 @@ impl<'a> RustNames<'a> {
     }
 
     /// Takes a name; a clash is reported.
-    pub(super) fn take(&mut self, rust: &str, written: &str, span: Span) {
+    pub(super) fn take(&mut self, rust: &str, written: &str, span: Span) -> bool {
         if let Some((other, place)) = self.known.get(rust) {
             let mut diagnostic = Diagnostic::error(
                 span,
@@ -144,10 +144,11 @@ impl<'a> RustNames<'a> {
             }
             self.diagnostics
                 .push(diagnostic.help("rename one of the two"));
-            return;
+            return false;
         }
         self.known
             .insert(rust.to_owned(), (written.to_owned(), span));
+        true
     }
 
     /// Takes an additional name, if it is free.
@@ -370,10 +371,17 @@ impl Context<'_> {
                 quote!(#name: #ty)
             })
             .collect();
+        let guard = match function.recursive {
+            true => {
+                let reason = format!("`{}` calls itself more than 500 times", function.name);
+                quote!(let _recursion = rt::Recursion::enter(rt::Fault::new(#reason))?;)
+            }
+            false => TokenStream::new(),
+        };
         match self.staged.functions.get(&id) {
             None => {
                 let body = Body::single(self, Mode::Static, &Plan::default(), function.body);
-                quote!(pub fn #name(t: &Topology<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #body })
+                quote!(pub fn #name(t: &Topology<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #guard #body })
             }
             Some(staged) => {
                 let prelude = self.prelude(&[staged.body]);
@@ -396,7 +404,7 @@ impl Context<'_> {
                     };
                 }
                 quote! {
-                    pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #prelude #row #body }
+                    pub fn #name(s: &State<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #guard #prelude #row #body }
                     #whole
                 }
             }

@@ -59,7 +59,10 @@ impl Context<'_> {
             forms
         };
         for form in forms(&rust) {
-            rust_names.take(&form, name, span);
+            // one clash is one error
+            if !rust_names.take(&form, name, span) {
+                break;
+            }
         }
         let mut list = vec![rust.clone()];
         if let Some(alias) = names::ascii_alias(&rust) {

@@ -148,7 +148,7 @@ impl Context<'_> {
     }
 
     fn failure(&self, e: ExprId) -> String {
-        use crate::ir::{Fold, Kind};
+        use crate::ir::{Binary, Fold, Kind};
         let arena = &self.program().arena;
         match arena.kind(e) {
             Kind::SetItem(_, index) => match arena.kind(*index) {
@@ -164,6 +164,10 @@ impl Context<'_> {
             Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set".to_owned(),
             Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set".to_owned(),
             Kind::Fail => "no case applies".to_owned(),
+            Kind::Fold { .. }
+            | Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
+                "an integer is too large".to_owned()
+            }
             Kind::At(..) => "the matrix has no such entry".to_owned(),
             Kind::RowOf(..) => "the matrix has no such row".to_owned(),
             Kind::ColumnOf(..) => "the matrix has no such column".to_owned(),

@@ -223,7 +223,8 @@ impl Context<'_> {
                 quote!(rt::check_size(#name, "value", #field, sizes.#size, #name, #holder)?;),
             );
         }
-        for axis in self.axes(id, input) {
+        let axes = self.axes(id, input);
+        for (k, axis) in axes.iter().enumerate() {
             if matches!(axis.dimension.as_atom(), Some(Atom::Count(_)))
                 || axis.dimension.value().is_some() && !axis.of_items
             {
@@ -243,7 +244,15 @@ impl Context<'_> {
                 .filter_map(|atom| self.size_source(atom))
                 .next();
             let is_source = source == Some(id) && axis.dimension.as_atom().is_some();
-            let expected = self.size(&axis.dimension);
+            // a size that stands twice in one type: the first time gives the value
+            let first = axes[..k]
+                .iter()
+                .find(|other| is_source && other.dimension == axis.dimension);
+            let is_source = is_source && first.is_none();
+            let expected = match first {
+                Some(first) => first.found.clone(),
+                None => self.size(&axis.dimension),
+            };
             let (what, written) = (axis.what, axis.dimension.to_string());
             let source_name =
                 source.map_or(String::new(), |s| self.program().input(s).name.clone());

@@ -68,6 +68,7 @@ impl Parser<'_> {
             Kind::Underscore => {
                 "all subscripts stand after one `_`, separated by commas, as in `x_i,1`"
             }
+            Kind::Star => "products are written side by side, as in `2 a`, or with `⋅`",
             Kind::Comma => {
                 "each declaration stands on a line of its own; between subscripts stands a comma without blanks"
             }
