@@ -113,3 +113,7 @@ pub mod __macros {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/neighborhoods.md")]
+struct NeighborhoodsPage;
