@@ -2,22 +2,8 @@
 
 mod syntax_support;
 
-use expect_test::{Expect, expect};
-use syntax_support::table;
-
-const CONTEXT: &str = "a, b, c, n ∈ ℝ\n\
-w_i ∈ ℝ\n\
-x_i ∈ ℝ^3\n\
-u, v ∈ ℝ^3\n\
-A, B ∈ ℝ^(3×3)\n\
-f ∈ ℝ→ℝ\n\
-S, W, U ∈ {ℤ}\n\
-P ∈ {ℤ×ℤ}\n\
-r, s, y ∈ ℝ";
-
-fn check(rows: &str, expected: Expect) {
-    expected.assert_eq(&table(CONTEXT, rows));
-}
+use expect_test::expect;
+use syntax_support::check_probes as check;
 
 #[test]
 fn sums() {

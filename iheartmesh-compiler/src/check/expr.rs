@@ -43,7 +43,7 @@ impl<'a> Checker<'a> {
                 variables,
                 range,
                 condition,
-            } => self.builder(e, element, variables, range, condition.as_deref()),
+            } => self.builder(element, variables, range, condition.as_deref()),
             ExprKind::Big {
                 op,
                 head,

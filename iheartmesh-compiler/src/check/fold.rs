@@ -60,8 +60,7 @@ impl<'a> Checker<'a> {
         });
         let ty = self.ty(value).clone();
         let range = match head {
-            Head::Index(name) | Head::Filtered(name, _) if ty.is_error() => {
-                let _ = name;
+            Head::Index(_) | Head::Filtered(..) if ty.is_error() => {
                 self.index_uses.remove(&variable);
                 range
             }

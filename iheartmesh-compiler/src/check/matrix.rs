@@ -23,7 +23,6 @@ impl<'a> Checker<'a> {
         let mut blocks = Vec::new();
         let mut length = Dimension::known(0);
         let mut only_numbers = true;
-        let mut integers = true;
         for item in items {
             let value = self.expr(item);
             let ty = self.ty(value).clone();
@@ -49,11 +48,9 @@ impl<'a> Checker<'a> {
                     );
                 }
             };
-            integers &= ty.is_integer();
             length = length.add(&rows).unwrap_or_else(|| self.new_dimension());
             blocks.push(value);
         }
-        let _ = integers;
         let blocks: Vec<ExprId> = blocks.into_iter().map(|b| self.real(b)).collect();
         let ty = Type::real_vector(length);
         match only_numbers {

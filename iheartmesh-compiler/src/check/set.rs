@@ -55,7 +55,6 @@ impl<'a> Checker<'a> {
 
     pub(super) fn builder(
         &mut self,
-        _e: &'a Expr,
         element: &'a Expr,
         variables: &'a [Name],
         range: &'a Expr,

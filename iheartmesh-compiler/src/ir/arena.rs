@@ -153,10 +153,12 @@ impl Arena {
     }
 }
 
-impl Kind {
-    /// Calls `f` with each direct operand, in order of evaluation.
-    pub fn operands(&self, mut f: impl FnMut(ExprId)) {
-        match self {
+/// Visits each direct operand of a kind, in order of evaluation: `$visit` takes `&ExprId` with `iter`, `&mut ExprId` with
+/// `iter_mut`. The one place that knows where operands stand.
+macro_rules! each_operand {
+    ($kind:expr, $iter:ident, $visit:expr) => {{
+        let mut visit = $visit;
+        match $kind {
             Kind::Integer(_)
             | Kind::Real(_)
             | Kind::Boolean(_)
@@ -173,15 +175,15 @@ impl Kind {
             | Kind::Vector(list)
             | Kind::Tuple(list)
             | Kind::Sequence(list)
-            | Kind::Set(list) => list.iter().copied().for_each(f),
-            Kind::Blocks(rows) => rows.iter().flatten().copied().for_each(f),
+            | Kind::Set(list) => list.$iter().for_each(visit),
+            Kind::Blocks(rows) => rows.$iter().flatten().for_each(visit),
             Kind::Filled(value, sizes) => {
-                f(*value);
-                sizes.iter().copied().for_each(f);
+                visit(value);
+                sizes.$iter().for_each(visit);
             }
             Kind::Tabulate { sizes, body, .. } => {
-                sizes.iter().copied().for_each(&mut f);
-                f(*body);
+                sizes.$iter().for_each(&mut visit);
+                visit(body);
             }
             Kind::Unary(_, a)
             | Kind::Not(a)
@@ -195,7 +197,7 @@ impl Kind {
             | Kind::Apply(_, a)
             | Kind::NonZeros(a)
             | Kind::Traverse(_, a)
-            | Kind::Field(_, a) => f(*a),
+            | Kind::Field(_, a) => visit(a),
             Kind::Binary(_, a, b)
             | Kind::Compare(_, a, b)
             | Kind::And(a, b)
@@ -209,13 +211,13 @@ impl Kind {
             | Kind::Member(a, b)
             | Kind::ValueSet(a, b)
             | Kind::Entry(_, a, b) => {
-                f(*a);
-                f(*b);
+                visit(a);
+                visit(b);
             }
             Kind::If(a, b, c) | Kind::At(a, b, c) | Kind::Agree(a, b, c) => {
-                f(*a);
-                f(*b);
-                f(*c);
+                visit(a);
+                visit(b);
+                visit(c);
             }
             Kind::Fold {
                 range,
@@ -224,103 +226,30 @@ impl Kind {
                 ..
             } => {
                 match range {
-                    Range::Set(set) => f(*set),
+                    Range::Set(set) => visit(set),
                     Range::Integers(from, to) => {
-                        f(*from);
-                        f(*to);
+                        visit(from);
+                        visit(to);
                     }
                     Range::Rows => {}
                 }
-                condition.iter().copied().for_each(&mut f);
-                f(*body);
+                condition.$iter().for_each(&mut visit);
+                visit(body);
             }
         }
+    }};
+}
+
+impl Kind {
+    /// Calls `f` with each direct operand, in order of evaluation.
+    pub fn operands(&self, mut f: impl FnMut(ExprId)) {
+        each_operand!(self, iter, |e: &ExprId| f(*e));
     }
 
     /// The same kind with each direct operand replaced.
     pub fn map_operands(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Kind {
         let mut kind = self.clone();
-        match &mut kind {
-            Kind::Integer(_)
-            | Kind::Real(_)
-            | Kind::Boolean(_)
-            | Kind::Variable(_)
-            | Kind::Input(_)
-            | Kind::Global(_)
-            | Kind::AllElements(_)
-            | Kind::Boundary(_)
-            | Kind::Size(_)
-            | Kind::Fail
-            | Kind::Column(..) => {}
-            Kind::Call(_, list)
-            | Kind::HostCall(_, list)
-            | Kind::Vector(list)
-            | Kind::Tuple(list)
-            | Kind::Sequence(list)
-            | Kind::Set(list) => list.iter_mut().for_each(|e| *e = f(*e)),
-            Kind::Blocks(rows) => rows.iter_mut().flatten().for_each(|e| *e = f(*e)),
-            Kind::Filled(value, sizes) => {
-                *value = f(*value);
-                sizes.iter_mut().for_each(|e| *e = f(*e));
-            }
-            Kind::Tabulate { sizes, body, .. } => {
-                sizes.iter_mut().for_each(|e| *e = f(*e));
-                *body = f(*body);
-            }
-            Kind::Unary(_, a)
-            | Kind::Not(a)
-            | Kind::Extent(a, _)
-            | Kind::Identity(a)
-            | Kind::SequenceOf(a)
-            | Kind::Project(a, _)
-            | Kind::Cardinality(a)
-            | Kind::Sized(a, _)
-            | Kind::Indicator(a)
-            | Kind::Apply(_, a)
-            | Kind::NonZeros(a)
-            | Kind::Traverse(_, a)
-            | Kind::Field(_, a) => *a = f(*a),
-            Kind::Binary(_, a, b)
-            | Kind::Compare(_, a, b)
-            | Kind::And(a, b)
-            | Kind::Or(a, b)
-            | Kind::Component(a, b)
-            | Kind::Item(a, b)
-            | Kind::RowOf(a, b)
-            | Kind::ColumnOf(a, b)
-            | Kind::SetOp(_, a, b)
-            | Kind::SetItem(a, b)
-            | Kind::Member(a, b)
-            | Kind::ValueSet(a, b)
-            | Kind::Entry(_, a, b) => {
-                *a = f(*a);
-                *b = f(*b);
-            }
-            Kind::If(a, b, c) | Kind::At(a, b, c) | Kind::Agree(a, b, c) => {
-                *a = f(*a);
-                *b = f(*b);
-                *c = f(*c);
-            }
-            Kind::Fold {
-                range,
-                condition,
-                body,
-                ..
-            } => {
-                match range {
-                    Range::Set(set) => *set = f(*set),
-                    Range::Integers(from, to) => {
-                        *from = f(*from);
-                        *to = f(*to);
-                    }
-                    Range::Rows => {}
-                }
-                if let Some(condition) = condition {
-                    *condition = f(*condition);
-                }
-                *body = f(*body);
-            }
-        }
+        each_operand!(&mut kind, iter_mut, |e: &mut ExprId| *e = f(*e));
         kind
     }
 }

@@ -21,6 +21,22 @@ pub fn show(text: &str) -> String {
     shown
 }
 
+/// The symbols that the probes of the language reference use.
+const PROBES: &str = "a, b, c, n ∈ ℝ\n\
+w_i ∈ ℝ\n\
+x_i ∈ ℝ^3\n\
+u, v ∈ ℝ^3\n\
+A, B ∈ ℝ^(3×3)\n\
+f ∈ ℝ→ℝ\n\
+S, W, U ∈ {ℤ}\n\
+P ∈ {ℤ×ℤ}\n\
+r, s, y ∈ ℝ";
+
+/// Compares the table of some probes.
+pub fn check_probes(rows: &str, expected: expect_test::Expect) {
+    expected.assert_eq(&table(PROBES, rows));
+}
+
 /// For each line of `rows` in the scope of `context`: its tree, or its first message.
 pub fn table(context: &str, rows: &str) -> String {
     let mut shown = String::new();

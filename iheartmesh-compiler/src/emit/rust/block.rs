@@ -231,7 +231,7 @@ impl<'a> Body<'a> {
         let inner = self.context.inner_type(ty);
         match op {
             Fold::Sum => {
-                let zero = self.zero(e, ty);
+                let zero = self.context.zero_of(ty);
                 (quote!(let mut sum: #inner = #zero;), quote!(sum))
             }
             Fold::Product => match ty {
@@ -260,11 +260,6 @@ impl<'a> Body<'a> {
                 quote!(<#inner as ::std::convert::From<::std::vec::Vec<_>>>::from(set)),
             ),
         }
-    }
-
-    /// What a sum starts from. Sizes known only at run time are asked of the arguments that bring them along.
-    fn zero(&self, _e: ExprId, ty: &Type) -> TokenStream {
-        self.context.zero_of(ty)
     }
 
     /// What a loop does with each value.

@@ -20,13 +20,7 @@ impl Context<'_> {
     }
 
     /// The table of the orbits of a function.
-    pub(super) fn orbit_plan(
-        &self,
-        id: FunctionId,
-        _plan: &Plan,
-        orbit: &Orbit,
-        code: &mut PlanCode,
-    ) {
+    pub(super) fn orbit_plan(&self, id: FunctionId, orbit: &Orbit, code: &mut PlanCode) {
         let name = self.orbit_name(id);
         let table = table_name(orbit.space);
         let elements = Literal::usize_unsuffixed(orbit.elements.len());

@@ -42,7 +42,7 @@ impl Context<'_> {
                 self.local_plan(local, &mut code);
             }
             if let Some(orbit) = staged.whole.as_ref().and_then(|w| w.orbit.as_ref()) {
-                self.orbit_plan(*id, &staged.plan, orbit, &mut code);
+                self.orbit_plan(*id, orbit, &mut code);
             }
         }
         code
