@@ -15,13 +15,12 @@ use std::error::Error;
 use std::f64::consts::PI;
 use std::process::ExitCode;
 
-use common::colour;
 use common::surface::{
     self, Surface, largest_difference, one_thread, print_fact, print_range, print_time, print_why,
     say,
 };
 use common::timing::time_best_of;
-use iheartmesh::{Vertex, iheartmesh, io};
+use iheartmesh::{Vertex, iheartmesh};
 
 iheartmesh! {
     /// Angle defect at each vertex, in radians.
@@ -59,7 +58,12 @@ fn study(surface: &Surface) -> Result<(), Box<dyn Error>> {
         print_why("a side of length 0 has no direction, so there is no angle at its ends");
     }
     times(surface, &curvature, &values)?;
-    write(surface, &values)
+    surface.write_vertex_scalar(
+        "gaussian_curvature",
+        "Gaussian curvature",
+        "angle defect at each vertex, in radians",
+        &values,
+    )
 }
 
 /// Compares the sum of the curvature with what topology says that it is.
@@ -160,24 +164,5 @@ fn times(
     print_time(&format!("by hand: each face its angles, {all}"), time, n);
     let difference = largest_difference(&gathered, values);
     say!("  largest difference from the values by hand: {difference:.1e}");
-    Ok(())
-}
-
-fn write(surface: &Surface, values: &[f64]) -> Result<(), Box<dyn Error>> {
-    let [ply, png] =
-        ["ply", "png"].map(|kind| format!("{}/gaussian_curvature.{kind}", surface::OUTPUT));
-    surface
-        .picture("Gaussian curvature")
-        .subtitle(&format!(
-            "{}: angle defect at each vertex, in radians",
-            surface.name
-        ))
-        .scalar_field(&surface.positions, surface.faces(), values)
-        .write_png(&png)?;
-    let attributes = io::Attributes::new()
-        .vertex_scalar("gaussian_curvature", values)
-        .vertex_colors(colour::colours(values));
-    io::write(&ply, &surface.positions, &surface.mesh, &attributes)?;
-    say!("wrote {ply} and {png}");
     Ok(())
 }

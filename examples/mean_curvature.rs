@@ -15,13 +15,12 @@ mod common;
 use std::error::Error;
 use std::process::ExitCode;
 
-use common::colour;
 use common::surface::{
     self, Surface, largest_difference, one_thread, print_fact, print_range, print_time, print_why,
     say,
 };
 use common::timing::time_best_of;
-use iheartmesh::{iheartmesh, io};
+use iheartmesh::iheartmesh;
 
 iheartmesh! {
     /// Integrated mean curvature at each vertex, with the unit of a length: positive where the surface is convex.
@@ -56,7 +55,12 @@ fn study(surface: &Surface) -> Result<(), Box<dyn Error>> {
     let total: f64 = values.iter().filter(|value| value.is_finite()).sum();
     print_fact("sum", &format!("{total:.6}"));
     times(surface, &curvature, &values, reason.is_none())?;
-    write(surface, &values)
+    surface.write_vertex_scalar(
+        "mean_curvature",
+        "Mean curvature",
+        "dihedral angles times lengths of edges, ¼ ∑ l φ",
+        &values,
+    )
 }
 
 /// Times the generated code beside loops that a person would write over arrays of indices.
@@ -117,24 +121,5 @@ fn times(
     print_time(&format!("by hand: each edge its angle, {all}"), time, n);
     let difference = largest_difference(&gathered, values);
     say!("  largest difference from the values by hand: {difference:.1e}");
-    Ok(())
-}
-
-fn write(surface: &Surface, values: &[f64]) -> Result<(), Box<dyn Error>> {
-    let [ply, png] =
-        ["ply", "png"].map(|kind| format!("{}/mean_curvature.{kind}", surface::OUTPUT));
-    surface
-        .picture("Mean curvature")
-        .subtitle(&format!(
-            "{}: dihedral angles times lengths of edges, ¼ ∑ l φ",
-            surface.name
-        ))
-        .scalar_field(&surface.positions, surface.faces(), values)
-        .write_png(&png)?;
-    let attributes = io::Attributes::new()
-        .vertex_scalar("mean_curvature", values)
-        .vertex_colors(colour::colours(values));
-    io::write(&ply, &surface.positions, &surface.mesh, &attributes)?;
-    say!("wrote {ply} and {png}");
     Ok(())
 }

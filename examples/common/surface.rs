@@ -154,6 +154,27 @@ impl Surface {
         Picture::new(title).view(azimuth, elevation)
     }
 
+    /// Writes values at the vertices as `NAME.ply`, with their colours, and as the picture `NAME.png`.
+    pub fn write_vertex_scalar(
+        &self,
+        name: &str,
+        title: &str,
+        what: &str,
+        values: &[f64],
+    ) -> Result<(), Box<dyn Error>> {
+        let [ply, png] = ["ply", "png"].map(|kind| format!("{OUTPUT}/{name}.{kind}"));
+        self.picture(title)
+            .subtitle(&format!("{}: {what}", self.name))
+            .scalar_field(&self.positions, self.faces(), values)
+            .write_png(&png)?;
+        let attributes = io::Attributes::new()
+            .vertex_scalar(name, values)
+            .vertex_colors(super::colour::colours(values));
+        io::write(&ply, &self.positions, &self.mesh, &attributes)?;
+        say!("wrote {ply} and {png}");
+        Ok(())
+    }
+
     /// The faces as lists of vertex numbers.
     pub fn faces(&self) -> Vec<Vec<u32>> {
         let mesh = &self.mesh;
