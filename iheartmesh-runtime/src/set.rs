@@ -275,6 +275,13 @@ impl<T> Default for Set<T> {
     }
 }
 
+impl<T> AsRef<[T]> for Set<T> {
+    /// The items in ascending order.
+    fn as_ref(&self) -> &[T] {
+        &self.items
+    }
+}
+
 impl<T: SetItem> PartialEq for Set<T> {
     fn eq(&self, other: &Self) -> bool {
         self.len() == other.len()

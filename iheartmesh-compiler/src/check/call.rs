@@ -34,11 +34,34 @@ impl<'a> Checker<'a> {
             }
             Found::Value(value) => {
                 let ty = self.ty(value).clone();
-                if let (Type::Function { parameters, result }, Kind::Input(id)) =
-                    (&ty, self.program.arena.kind(value).clone())
-                {
+                if let Type::Function { parameters, result } = &ty {
                     let arguments: Vec<&'a Expr> = subscripts.iter().chain(arguments).collect();
-                    return self.host_call(span, function, id, (parameters, result), &arguments);
+                    let types = (parameters.as_slice(), &**result);
+                    return self.host_call(span, function, value, types, &arguments);
+                }
+                if let Type::Sequence { item, .. } = &ty
+                    && let Type::Function { parameters, result } = &**item
+                {
+                    let Some((index, rest)) = subscripts.split_first() else {
+                        let message = format!(
+                            "which of the functions `{}` is called must stand in the text",
+                            function.text
+                        );
+                        return self.report(
+                            Diagnostic::error(function.span, message)
+                                .here(format!("this is {}", ty.described()))
+                                .help(format!(
+                                    "write which one as a subscript, as in `{}_i(…)`",
+                                    function.text
+                                )),
+                        );
+                    };
+                    let Some(called) = self.sequence_item(span, value, index) else {
+                        return self.error();
+                    };
+                    let arguments: Vec<&'a Expr> = rest.iter().chain(arguments).collect();
+                    let types = (parameters.as_slice(), &**result);
+                    return self.host_call(span, function, called, types, &arguments);
                 }
                 // the parser makes calls of functions only
                 return match ty.is_error() {
@@ -80,7 +103,7 @@ impl<'a> Checker<'a> {
         &mut self,
         span: Span,
         name: &'a Name,
-        id: crate::ir::InputId,
+        called: ExprId,
         (parameters, result): (&[Type], &Type),
         arguments: &[&'a Expr],
     ) -> ExprId {
@@ -121,7 +144,7 @@ impl<'a> Checker<'a> {
             .zip(parameters)
             .map(|(v, ty)| self.convert(*v, ty))
             .collect();
-        self.add(Kind::HostCall(id, values), result.clone())
+        self.add(Kind::HostCall(called, values), result.clone())
     }
 
     /// Whether a symbol of a size is of the function being called, and takes the size of its argument.

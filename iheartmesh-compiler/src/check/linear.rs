@@ -75,6 +75,7 @@ impl<'a> Checker<'a> {
                 },
                 "a vector or a square matrix",
             ),
+            "diag" if call.values.len() == 3 => self.rectangular_diagonal(call),
             "vec" => self.linear(
                 call,
                 |checker, ty| match ty.shape() {

@@ -1,11 +1,12 @@
 //! Vectors and matrices by their entries and blocks.
 
 use super::Checker;
+use super::builtin::Builtin;
 use super::operator::extents;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind};
-use crate::syntax::ast::{Expr, ExprKind};
-use crate::types::{Dimension, Type};
+use crate::ir::{ExprId, Kind, Layout};
+use crate::syntax::ast::{CompareOp, Expr, ExprKind};
+use crate::types::{Dimension, Number, Shape, Type};
 
 /// A cell of a matrix.
 enum Cell {
@@ -60,6 +61,51 @@ impl<'a> Checker<'a> {
                 ty,
             ),
         }
+    }
+
+    /// `diag(v, r, c)`: the matrix of `r` rows and `c` columns with as much of this diagonal as fits, and 0 elsewhere.
+    pub(super) fn rectangular_diagonal(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        let vector = call.values[0];
+        let Some(Shape::Vector(_)) = self.ty(vector).shape() else {
+            return self.wrong(call, 0, "a vector");
+        };
+        let (Some((rows, n)), Some((columns, m))) = (
+            self.written_size(call.arguments[1]),
+            self.written_size(call.arguments[2]),
+        ) else {
+            return self.error();
+        };
+        let arena = &mut self.program.arena;
+        let variables = vec![
+            arena.new_variable("i", Type::INTEGER),
+            arena.new_variable("j", Type::INTEGER),
+        ];
+        let (i, j) = (arena.variable(variables[0]), arena.variable(variables[1]));
+        let zero = arena.real(0.0);
+        let last = self.extent(vector, 0);
+        let on = self.add(Kind::Compare(CompareOp::Equal, i, j), Type::Boolean);
+        let within = self.add(
+            Kind::Compare(CompareOp::LessOrEqual, i, last),
+            Type::Boolean,
+        );
+        let chosen = self.add(Kind::And(on, within), Type::Boolean);
+        let number = match self.ty(vector) {
+            Type::Vector { number, .. } => *number,
+            _ => Number::Real,
+        };
+        let entry = self.add_at(call.span, Kind::Component(vector, i), Type::Scalar(number));
+        let entry = self.real(entry);
+        let body = self.add(Kind::If(chosen, entry, zero), Type::REAL);
+        self.add_at(
+            call.span,
+            Kind::Tabulate {
+                layout: Layout::Matrix,
+                variables,
+                sizes: vec![n, m],
+                body,
+            },
+            Type::real_matrix(rows, columns),
+        )
     }
 
     /// `0_n,m`, `1_n`.
@@ -348,15 +394,6 @@ impl<'a> Checker<'a> {
         heights: &[Dimension],
         widths: &[Vec<Dimension>],
     ) -> ExprId {
-        let any_sparse = cells
-            .iter()
-            .flatten()
-            .any(|cell| matches!(cell, Cell::Block(value, ..) if self.ty(*value).is_sparse()));
-        // what fills a sparse matrix with zeros must not store them
-        let filling = |rows, columns, zero: bool| match any_sparse && zero {
-            true => Type::sparse_matrix(rows, columns),
-            false => Type::real_matrix(rows, columns),
-        };
         let mut blocks = Vec::new();
         for (r, list) in cells.into_iter().enumerate() {
             let mut row = Vec::new();
@@ -369,12 +406,11 @@ impl<'a> Checker<'a> {
                         self.program.arena.real(value)
                     }
                     Cell::Filling(value) => {
-                        let zero = value == 0.0;
                         let value = self.program.arena.real(value);
                         match (self.size(&height), self.size(&width)) {
                             (Some(n), Some(m)) => self.add(
                                 Kind::Filled(value, vec![n, m]),
-                                filling(height, width, zero),
+                                Type::real_matrix(height, width),
                             ),
                             _ => {
                                 return self.unsupported(
@@ -394,7 +430,9 @@ impl<'a> Checker<'a> {
                             );
                         }
                         match self.size(&height) {
-                            Some(n) => self.add(Kind::Identity(n), filling(height, width, true)),
+                            Some(n) => {
+                                self.add(Kind::Identity(n), Type::real_matrix(height, width))
+                            }
                             None => {
                                 return self.unsupported(
                                     rows[r][k].span,
@@ -415,7 +453,14 @@ impl<'a> Checker<'a> {
         for width in widths.first().into_iter().flatten() {
             columns = columns.add(width).unwrap_or_else(|| self.new_dimension());
         }
-        let ty = filling(rows, columns, true);
+        let sparse = blocks.iter().flatten().any(|b| self.ty(*b).is_sparse());
+        let ty = Type::Matrix {
+            number: crate::types::Number::Real,
+            rows,
+            columns,
+            sparse,
+            spaces: None,
+        };
         let matrix = self.add(Kind::Blocks(blocks), ty);
         self.program.arena.note_origin(matrix, e.span);
         matrix

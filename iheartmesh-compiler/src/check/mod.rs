@@ -161,7 +161,9 @@ impl<'a> Checker<'a> {
     fn module_items(&mut self) {
         let module = self.resolved.module(ModuleId(0));
         let items = &module.syntax.items;
-        let last = items.len().saturating_sub(1);
+        let last = items
+            .iter()
+            .rposition(|item| matches!(item.kind, ItemKind::Expression(_)));
         for (index, item) in items.iter().enumerate() {
             match &item.kind {
                 ItemKind::Import(_) | ItemKind::Parameters(_) => {}
@@ -183,10 +185,10 @@ impl<'a> Checker<'a> {
                     if self.is_error(value) {
                         continue;
                     }
-                    if index != last {
+                    if Some(index) != last {
                         self.report(
                             Diagnostic::error(item.span, "the value of this expression is not used")
-                                .help("give it a name, as in `y = …`; only the last line of a module may be a value without one"),
+                                .help("give it a name, as in `y = …`; a module has one value without a name, `ret()`, the last such"),
                         );
                         continue;
                     }

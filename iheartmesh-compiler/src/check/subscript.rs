@@ -3,7 +3,8 @@
 use super::Checker;
 use super::wording::{ONE_MESH, called};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind};
+use crate::ir::{ExprId, Kind, Unary};
+use crate::span::Span;
 use crate::syntax::ast::{Expr, Subscript};
 use crate::types::display::plural;
 use crate::types::{Element, Number, Type};
@@ -136,6 +137,25 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// An item of a sequence by one subscript.
+    pub(super) fn sequence_item(
+        &mut self,
+        span: Span,
+        sequence: ExprId,
+        index: &'a Expr,
+    ) -> Option<ExprId> {
+        let Type::Sequence { item, .. } = self.ty(sequence).clone() else {
+            return None;
+        };
+        let number = self.expr(index);
+        if self.is_error(number) || !self.is_index((index, number)) {
+            return None;
+        }
+        self.note_indexed_by(sequence, number);
+        self.note_index_use((index, number), sequence, 0);
+        Some(self.add_at(span, Kind::Item(sequence, number), *item))
+    }
+
     fn tuple_item(&mut self, value: ExprId, index: (&'a Expr, ExprId), items: &[Type]) -> ExprId {
         let n = items.len();
         match self.program.arena.kind(index.1) {
@@ -169,9 +189,9 @@ impl<'a> Checker<'a> {
         index: (&'a Expr, ExprId),
         number: Number,
     ) -> ExprId {
-        if !self.is_integer(index, "a vector") {
+        let Some(index) = self.position(index, "a vector") else {
             return self.error();
-        }
+        };
         self.note_index_use(index, vector, 0);
         let length = self.ty(vector).fixed_vector();
         if let (Kind::Integer(k), Some(n)) = (self.program.arena.kind(index.1), length)
@@ -198,10 +218,12 @@ impl<'a> Checker<'a> {
         indices: [(&'a Expr, ExprId); 2],
         number: Number,
     ) -> ExprId {
+        let mut places = [matrix; 2];
         for (axis, index) in indices.into_iter().enumerate() {
-            if !self.is_integer(index, "a matrix") {
+            let Some(index) = self.position(index, "a matrix") else {
                 return self.error();
-            }
+            };
+            places[axis] = index.1;
             self.note_index_use(index, matrix, axis as u8);
             if !self.in_range(matrix, axis, index) {
                 return self.error();
@@ -209,7 +231,7 @@ impl<'a> Checker<'a> {
         }
         self.add_at(
             e.span,
-            Kind::At(matrix, indices[0].1, indices[1].1),
+            Kind::At(matrix, places[0], places[1]),
             Type::Scalar(number),
         )
     }
@@ -248,13 +270,10 @@ impl<'a> Checker<'a> {
             (self.ty(value).clone(), subscripts.split_first())
             && matches!(*item, Type::Matrix { .. })
         {
-            let index = self.expr(first);
-            if self.is_error(index) || !self.is_index((first, index)) {
+            let Some(found) = self.sequence_item(e.span, value, first) else {
                 return self.error();
-            }
-            self.note_indexed_by(value, index);
-            self.note_index_use((first, index), value, 0);
-            matrix = self.add_at(e.span, Kind::Item(value, index), *item);
+            };
+            matrix = found;
             rest = others;
         }
         let ty = self.ty(matrix).clone();
@@ -293,10 +312,13 @@ impl<'a> Checker<'a> {
             }
         };
         let number = self.expr(index);
-        if self.is_error(number)
-            || !self.is_integer((index, number), "a matrix")
-            || !self.in_range(matrix, usize::from(axis), (index, number))
-        {
+        if self.is_error(number) {
+            return self.error();
+        }
+        let Some((_, number)) = self.position((index, number), "a matrix") else {
+            return self.error();
+        };
+        if !self.in_range(matrix, usize::from(axis), (index, number)) {
             return self.error();
         }
         self.note_index_use((index, number), matrix, axis);
@@ -305,6 +327,15 @@ impl<'a> Checker<'a> {
             _ => Kind::ColumnOf(matrix, number),
         };
         self.add_at(e.span, kind, vector(length))
+    }
+
+    /// The number of an entry, from 1: an integer, or an element by its place among those of its mesh.
+    fn position(&mut self, index: (&'a Expr, ExprId), what: &str) -> Option<(&'a Expr, ExprId)> {
+        if self.ty(index.1).is_element() {
+            let number = self.add(Kind::Unary(Unary::ToInteger, index.1), Type::INTEGER);
+            return Some((index.0, number));
+        }
+        self.is_integer(index, what).then_some(index)
     }
 
     fn is_integer(&mut self, index: (&'a Expr, ExprId), what: &str) -> bool {
@@ -318,7 +349,10 @@ impl<'a> Checker<'a> {
                 format!("{} cannot index {what}", ty.described()),
             )
             .here(format!("this is {}", ty.described()))
-            .help("the entries are numbered by integers, from 1"),
+            .help(match what {
+                "a set" => "the members are numbered by integers, from 1",
+                _ => "the entries are numbered by integers, from 1, or by elements of a mesh",
+            }),
         );
         false
     }

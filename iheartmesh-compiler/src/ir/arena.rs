@@ -170,8 +170,11 @@ macro_rules! each_operand {
             | Kind::Size(_)
             | Kind::Fail
             | Kind::Column(..) => {}
+            Kind::HostCall(function, list) => {
+                visit(function);
+                list.$iter().for_each(visit);
+            }
             Kind::Call(_, list)
-            | Kind::HostCall(_, list)
             | Kind::Vector(list)
             | Kind::Tuple(list)
             | Kind::Sequence(list)

@@ -268,9 +268,10 @@ impl Writer<'_> {
             }
             Kind::Sequence(items) => self.call("sequence", items),
             Kind::SequenceOf(a) => self.call("sequence of ", &[*a]),
-            Kind::HostCall(id, arguments) => {
-                let name = format!("host {}", self.program.input(*id).name);
-                self.call(&name, arguments);
+            Kind::HostCall(function, arguments) => {
+                self.put("host ");
+                self.expr(*function);
+                self.call("", arguments);
             }
             Kind::Agree(a, b, value) => self.call("agree", &[*a, *b, *value]),
             Kind::Tuple(items) => self.call("tuple", items),

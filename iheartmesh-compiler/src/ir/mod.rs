@@ -298,8 +298,8 @@ pub enum Kind {
     Sequence(Vec<ExprId>),
     /// A set as a sequence, ascending.
     SequenceOf(ExprId),
-    /// A call of a function that the host handed in.
-    HostCall(InputId, Vec<ExprId>),
+    /// A call of a function that the host handed in: an input, or an item of an input that is a sequence.
+    HostCall(ExprId, Vec<ExprId>),
     /// Two sizes that must agree at run time, then the value.
     Agree(ExprId, ExprId, ExprId),
     /// A tuple.

@@ -218,6 +218,10 @@ impl Collector<'_> {
         index += 1;
         while self.tight(index) {
             let comma = self.kind(index) == Kind::Comma && self.tight(index + 1);
+            // `p_i,q_i`: what has a subscript of its own is no subscript
+            if comma && self.kind(index + 2) == Kind::Underscore && self.tight(index + 2) {
+                break;
+            }
             match self.kind(index + comma as usize) {
                 Kind::Word(id) | Kind::Quoted(id) => found.push(self.texts.get(id).to_owned()),
                 Kind::Integer(_) | Kind::Star => {}
@@ -384,16 +388,26 @@ impl Collector<'_> {
 
     /// Names up to `∈`: the variables of a set builder.
     fn bound(&mut self, start: usize) -> usize {
-        let mut names = Vec::new();
-        let mut index = start;
-        while let Some((name, next)) = self.name(index) {
-            names.push(name);
-            index = next + (self.kind(next) == Kind::Comma) as usize;
-        }
+        let (names, index) = self.bound_names(start);
         if self.kind(index) == Kind::In {
             names.into_iter().for_each(|name| self.bind(name));
         }
         index.max(start)
+    }
+
+    /// The names from here on, in parentheses or not, and the index after them.
+    fn bound_names(&self, start: usize) -> (Vec<String>, usize) {
+        let mut names = Vec::new();
+        let wrapped = self.kind(start) == Kind::LeftParen;
+        let mut index = start + wrapped as usize;
+        while let Some((name, next)) = self.name(index) {
+            names.push(name);
+            index = next + (self.kind(next) == Kind::Comma) as usize;
+        }
+        if wrapped && self.kind(index) == Kind::RightParen {
+            index += 1;
+        }
+        (names, index)
     }
 
     /// The index of a big operator.
@@ -407,12 +421,7 @@ impl Collector<'_> {
             }
             return;
         }
-        let mut names = Vec::new();
-        let mut index = start + 1;
-        while let Some((name, next)) = self.name(index) {
-            names.push(name);
-            index = next + (self.kind(next) == Kind::Comma) as usize;
-        }
+        let (names, index) = self.bound_names(start + 1);
         if matches!(self.kind(index), Kind::In | Kind::For | Kind::Assign) {
             names.into_iter().for_each(|name| self.bind(name));
         }

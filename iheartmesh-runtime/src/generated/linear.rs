@@ -52,10 +52,10 @@ impl Square for DMatrix<f64> {
     }
 }
 
-/// Determinants of sparse matrices are those of dense ones.
+/// Sparse matrices are factorised as dense ones.
 impl Square for sprs::CsMat<f64> {
     fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
-        super::sparse_lu::solution(self, b)
+        dynamic(self).solution(b)
     }
 
     fn determinant(&self) -> f64 {

@@ -11,7 +11,6 @@ mod linear;
 mod local;
 mod orbit;
 mod sparse;
-mod sparse_lu;
 mod table;
 mod touch;
 

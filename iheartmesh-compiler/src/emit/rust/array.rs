@@ -58,12 +58,12 @@ impl Body<'_> {
                 match self.kind(*index) {
                     Kind::Integer(k) if fixed => {
                         let k = Literal::i64_unsuffixed(*k - 1);
-                        match (glam, self.names.contains_key(vector)) {
-                            (true, _) => {
+                        match glam {
+                            true => {
                                 let a = self.owned(*vector);
-                                quote!(#a[#k])
+                                quote!((#a)[#k])
                             }
-                            (false, _) => quote!((#a)[#k]),
+                            false => quote!((#a)[#k]),
                         }
                     }
                     _ => {
@@ -99,10 +99,6 @@ impl Body<'_> {
                 quote!(rt::column::<#ty>(#a, #i, #site)?)
             }
             Kind::Blocks(rows) => self.blocks(e, rows),
-            Kind::Filled(_, sizes) if self.ty(e).is_sparse() => {
-                let sizes = sizes.iter().map(|s| self.owned(*s));
-                quote!(rt::sparse_zeros(#(rt::size(#sizes)),*))
-            }
             Kind::Filled(value, sizes) => {
                 let ty = inner();
                 let value = self.owned(*value);
@@ -110,10 +106,6 @@ impl Body<'_> {
                 let columns = sizes.get(1).cloned().unwrap_or(quote!(1i64));
                 let rows = &sizes[0];
                 quote!(<#ty as rt::Build>::build(rt::size(#rows), rt::size(#columns), |_, _| #value))
-            }
-            Kind::Identity(n) if self.ty(e).is_sparse() => {
-                let n = self.owned(*n);
-                quote!(rt::sparse_identity(rt::size(#n)))
             }
             Kind::Identity(n) => {
                 let ty = inner();
@@ -134,8 +126,8 @@ impl Body<'_> {
                     quote!((#set).iter().cloned().collect::<::std::vec::Vec<_>>())
                 }
             },
-            Kind::HostCall(id, arguments) => {
-                let field = self.context.input_field(*id);
+            Kind::HostCall(function, arguments) => {
+                let function = self.host_function(*function);
                 let arguments: Vec<TokenStream> = arguments
                     .iter()
                     .map(|a| {
@@ -143,7 +135,7 @@ impl Body<'_> {
                         self.context.to_outer(value, self.ty(*a))
                     })
                     .collect();
-                let call = quote!((s.#field)(#(#arguments),*));
+                let call = quote!((#function)(#(#arguments),*));
                 self.context.given_by_host(call, self.ty(e))
             }
             Kind::Agree(a, b, value) => {
@@ -155,26 +147,33 @@ impl Body<'_> {
         }
     }
 
-    fn dynamic_matrix(&self) -> TokenStream {
-        let krate = self.context.krate;
-        quote!(#krate::nalgebra::DMatrix<f64>)
+    /// A function that the host handed in, to be called.
+    fn host_function(&mut self, e: ExprId) -> TokenStream {
+        match self.kind(e) {
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                quote!(s.#field)
+            }
+            Kind::Item(functions, index) => {
+                let found = self.item_place(e, *functions, *index);
+                quote!(#found)
+            }
+            other => panic!("bug in iheartmesh: no function {other:?}"),
+        }
     }
 
     fn blocks(&mut self, e: ExprId, rows: &[Vec<ExprId>]) -> TokenStream {
-        let (start, put, finish) = match self.ty(e).is_sparse() {
-            true => (
-                quote!(rt::sparse_blocks),
-                quote!(rt::put_sparse),
-                quote!(all.to_csc()),
-            ),
-            false => {
-                let ty = self.context.inner_type(self.ty(e));
-                (
-                    quote!(<#ty as rt::Build>::zeros),
-                    quote!(rt::put),
-                    quote!(all),
-                )
+        let sparse = self.ty(e).is_sparse();
+        let dense = match self.ty(e) {
+            Type::Matrix { rows, columns, .. } => Type::real_matrix(rows.clone(), columns.clone()),
+            other => other.clone(),
+        };
+        let ty = match sparse {
+            true => {
+                let krate = self.context.krate;
+                quote!(#krate::nalgebra::DMatrix<f64>)
             }
+            false => self.context.inner_type(&dense),
         };
         // each block has a name, so that sizes are known before any is put in place
         let mut lets = TokenStream::new();
@@ -203,7 +202,7 @@ impl Body<'_> {
             puts.extend(quote!(let mut column = 0usize;));
             for name in row {
                 puts.extend(quote! {
-                    #put(&mut all, row, column, #name);
+                    rt::put(&mut all, row, column, #name);
                     column += rt::Array::columns(#name);
                 });
             }
@@ -211,9 +210,13 @@ impl Body<'_> {
                 puts.extend(quote!(row += rt::Array::rows(#first);));
             }
         }
+        let finish = match sparse {
+            true => quote!(rt::sparse(&all)),
+            false => quote!(all),
+        };
         quote!({
             #lets
-            let mut all = #start(0usize #(+ #heights)*, 0usize #(+ #widths)*);
+            let mut all = <#ty as rt::Build>::zeros(0usize #(+ #heights)*, 0usize #(+ #widths)*);
             let mut row = 0usize;
             #puts
             #finish
@@ -254,10 +257,6 @@ impl Body<'_> {
             Unary::NormNuclear => quote!(rt::norm_nuclear(#a)),
             Unary::Transpose if sparse => quote!(rt::sparse_transpose(#a)),
             Unary::Transpose => quote!(rt::transpose::<#ty>(#a)),
-            Unary::Inverse if self.ty(e).is_sparse() => {
-                let dense = self.dynamic_matrix();
-                quote!(rt::sparse(&rt::inverse::<#dense>(#a, #site)?))
-            }
             Unary::Inverse => quote!(rt::inverse::<#ty>(#a, #site)?),
             Unary::PseudoInverse => quote!(rt::pseudo_inverse::<#ty>(#a)),
             Unary::Determinant => quote!(rt::determinant(#a)),
@@ -286,7 +285,6 @@ impl Body<'_> {
             Unary::Greatest => quote!(rt::greatest(#a, #site)?),
             Unary::PositivePart => quote!(rt::with_eigenvalues::<#ty>(#a, |value| value.max(0.0))),
             Unary::AbsolutePart => quote!(rt::with_eigenvalues::<#ty>(#a, f64::abs)),
-            Unary::Reshape if self.ty(e).is_sparse() => quote!(rt::sparse(#a)),
             Unary::Reshape => quote!(rt::reshape::<#ty>(#a)),
             Unary::Absolute | Unary::SquareRoot | Unary::ToInteger => {
                 panic!("bug in iheartmesh: {op:?} of an array")
@@ -350,16 +348,10 @@ impl Body<'_> {
             Binary::Product if sparse_a && sparse_b => quote!((#a * #b)),
             Binary::Product if sparse_a => quote!(rt::sparse_product::<#ty>(#a, #b)),
             Binary::Product if dynamic && !sparse_b => quote!((#a * #b)),
-            Binary::Product if sparse_b => quote!(rt::product_sparse::<#ty>(#a, #b)),
             Binary::Product => quote!(rt::product::<#ty>(#a, #b)),
             Binary::Hadamard => quote!(rt::zip::<#ty>(#a, #b, |x, y| x * y)),
             Binary::Dot | Binary::Frobenius => quote!(rt::inner(#a, #b)),
-            Binary::Kronecker if self.ty(e).is_sparse() => quote!(rt::sparse_kronecker(#a, #b)),
             Binary::Kronecker => quote!(rt::kronecker::<#ty>(#a, #b)),
-            Binary::Solve if self.ty(e).is_sparse() => {
-                let dense = self.dynamic_matrix();
-                quote!(rt::sparse(&rt::solve::<#dense>(#a, #b, #site)?))
-            }
             Binary::Solve => quote!(rt::solve::<#ty>(#a, #b, #site)?),
             Binary::NormWeighted => quote!(rt::norm_weighted(#a, #b)),
             Binary::Unstack if sequence => quote!(rt::unstack_items(&(#a)[..], #b, #site)?),

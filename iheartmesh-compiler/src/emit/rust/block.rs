@@ -131,6 +131,8 @@ impl<'a> Body<'a> {
             | Kind::Boundary(_)
             | Kind::Column(..)
             | Kind::Fail => true,
+            // a function is called where it stands
+            _ if matches!(self.ty(e), Type::Function { .. }) => true,
             _ => {
                 let result = results.contains(&e) || self.placement.is_result_here(arena, e);
                 let uses = self.placement.uses(arena, e, result);
@@ -321,7 +323,7 @@ impl<'a> Body<'a> {
         match range {
             Range::Integers(from, to) => {
                 let (from, to) = (self.owned(*from), self.owned(*to));
-                quote!(for #name in #from..=#to)
+                quote!(for #name in (#from)..=(#to))
             }
             Range::Set(set) => match (self.kind(*set), self.ty(*set)) {
                 (Kind::AllElements(element), _) => {

@@ -254,13 +254,24 @@ impl Body<'_> {
 
     fn item(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
         let copy = is_copy(self.ty(e));
+        let found = self.item_place(e, sequence, index);
+        match (self.kind(sequence), copy) {
+            // the host's items
+            (Kind::Input(_), true) if self.ty(e).is_element() => quote!((#found).id()),
+            (_, true) => found,
+            (_, false) => quote!((#found).clone()),
+        }
+    }
+
+    /// An item of a sequence where it stands.
+    pub(super) fn item_place(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
         let base = match self.reference(sequence) {
             reference if matches!(self.kind(sequence), Kind::Input(_) | Kind::Variable(_)) => {
                 reference
             }
             reference => quote!((#reference)),
         };
-        let found = if self.ty(index).is_element() {
+        if self.ty(index).is_element() {
             let may_fail = self.index_may_fail(index);
             let place = self.element_index(index);
             let is_input = matches!(self.kind(sequence), Kind::Input(_));
@@ -279,12 +290,6 @@ impl Body<'_> {
             let place = self.owned(index);
             let site = self.context.site(e);
             quote!(*rt::entry(&#base[..], #place, #site)?)
-        };
-        match (self.kind(sequence), copy) {
-            // the host's items
-            (Kind::Input(_), true) if self.ty(e).is_element() => quote!((#found).id()),
-            (_, true) => found,
-            (_, false) => quote!((#found).clone()),
         }
     }
 

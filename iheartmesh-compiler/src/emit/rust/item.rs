@@ -38,7 +38,7 @@ pub(super) fn items(
     let conversions = context.values().map(|(id, input)| {
         let name = names::ident(&names::rust_name(&input.name));
         let field = context.input_field(id);
-        let value = held_value(&input.ty, quote!(#name));
+        let value = context.held_value(&input.ty, quote!(#name));
         quote!(let #field = #value;)
     });
     let meshes: Vec<_> = context
@@ -93,13 +93,9 @@ pub(super) fn items(
     }
 }
 
-/// An argument as the struct holds it.
-pub(super) fn held_value(ty: &Type, argument: TokenStream) -> TokenStream {
-    match ty {
-        Type::Function { .. } => quote!(::std::boxed::Box::new(#argument)),
-        ty if is_converted(ty) => quote!(#argument.into()),
-        _ => argument,
-    }
+/// Whether an argument is several functions.
+pub(super) fn is_functions(ty: &Type) -> bool {
+    matches!(ty, Type::Sequence { item, .. } if matches!(**item, Type::Function { .. }))
 }
 
 /// Whether an argument is owned or borrowed, as the caller likes.
@@ -276,10 +272,31 @@ impl Context<'_> {
         }
     }
 
+    /// An argument as the struct holds it.
+    pub(super) fn held_value(&self, ty: &Type, argument: TokenStream) -> TokenStream {
+        match ty {
+            Type::Function { .. } => quote!(::std::boxed::Box::new(#argument)),
+            Type::Sequence { item, .. } if is_functions(ty) => {
+                let held = self.held_type(item);
+                quote! {
+                    #argument.into_iter()
+                        .map(|function| -> #held { ::std::boxed::Box::new(function) })
+                        .collect::<::std::boxed::Box<[_]>>()
+                }
+            }
+            ty if is_converted(ty) => quote!(#argument.into()),
+            _ => argument,
+        }
+    }
+
     /// The type in which the struct holds a value.
     pub(super) fn held_type(&self, ty: &Type) -> TokenStream {
         let krate = self.krate;
         match ty {
+            Type::Sequence { item, .. } if is_functions(ty) => {
+                let item = self.held_type(item);
+                quote!(::std::boxed::Box<[#item]>)
+            }
             Type::Sequence { item, .. } => {
                 let item = self.outer_type(item);
                 quote!(#krate::Values<'a, #item>)

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::item::{RustNames, held_value};
+use super::item::RustNames;
 use super::{Context, docs, names};
 use crate::ir::{ExprId, GlobalId, InputId, Kind};
 
@@ -23,7 +23,7 @@ impl Context<'_> {
             }
             let ty = self.parameter_type(&input.ty, &quote!('a));
             let field = self.input_field(id);
-            let value = held_value(&input.ty, quote!(value));
+            let value = self.held_value(&input.ty, quote!(value));
             let check = self.input_checks(id, input, true);
             let updates = self.size_updates(id, input);
             // other inputs are at hand for the check

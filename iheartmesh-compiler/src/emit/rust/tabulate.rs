@@ -65,7 +65,7 @@ impl Body<'_> {
                 };
                 quote!({
                     let mut all = ::std::vec::Vec::new();
-                    for #first in 1..=#n {
+                    for #first in 1..=(#n) {
                         #before
                         all.push(#value);
                     }
@@ -88,7 +88,7 @@ impl Body<'_> {
                 };
                 quote!({
                     let mut items = ::std::vec::Vec::new();
-                    for #first in 1..=#n {
+                    for #first in 1..=(#n) {
                         #before
                         items.push(#value);
                     }

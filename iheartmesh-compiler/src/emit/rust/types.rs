@@ -125,6 +125,10 @@ impl Context<'_> {
                 let mesh = super::names::ident(&kind.to_string());
                 quote!(&#lifetime #krate::#mesh)
             }
+            Type::Sequence { item, .. } if super::item::is_functions(ty) => {
+                let item = self.parameter_type(item, lifetime);
+                quote!(impl ::std::iter::IntoIterator<Item = #item>)
+            }
             Type::Sequence { item, .. } => {
                 let item = self.outer_type(item);
                 quote!(impl ::std::convert::Into<#krate::Values<#lifetime, #item>>)

@@ -328,6 +328,10 @@ impl Parser<'_> {
             if token.space || self.token(0).space {
                 break;
             }
+            // `p_i,q_i`: what has a subscript of its own is no subscript
+            if comma && self.ahead(2) == Kind::Underscore && self.tight(2) {
+                break;
+            }
             let span = self.span(token);
             let subscript = match token.kind {
                 Kind::Name(id) | Kind::Function(id) => {

@@ -90,11 +90,7 @@ impl Parser<'_> {
 
     fn head_inside(&mut self) -> Parsed<Head> {
         self.advance();
-        let mut names = vec![self.name("an index", HEAD_HELP)?];
-        while matches!(self.kind(), Kind::Comma | Kind::Name(_) | Kind::Function(_)) {
-            self.eat(Kind::Comma);
-            names.push(self.name("an index", HEAD_HELP)?);
-        }
+        let mut names = self.bound_names("an index", HEAD_HELP)?;
         let single = names.len() == 1;
         let head = match self.kind() {
             Kind::In => {

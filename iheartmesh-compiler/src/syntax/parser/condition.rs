@@ -195,13 +195,23 @@ impl Parser<'_> {
 
     fn builder_variables(&mut self) -> Parsed<Vec<Name>> {
         self.advance();
-        let mut variables = vec![self.name("a variable", BUILDER_HELP)?];
-        while matches!(self.kind(), Kind::Comma | Kind::Name(_) | Kind::Function(_)) {
-            self.eat(Kind::Comma);
-            variables.push(self.name("a variable", BUILDER_HELP)?);
-        }
+        let variables = self.bound_names("a variable", BUILDER_HELP)?;
         self.expect(Kind::In, "`∈`", BUILDER_HELP)?;
         Ok(variables)
+    }
+
+    /// `i`, `i, j` or `(i, j)`: the members of a set, or the items of its tuples.
+    pub(super) fn bound_names(&mut self, what: &str, help: &str) -> Parsed<Vec<Name>> {
+        let wrapped = self.eat(Kind::LeftParen);
+        let mut names = vec![self.name(what, help)?];
+        while matches!(self.kind(), Kind::Comma | Kind::Name(_) | Kind::Function(_)) {
+            self.eat(Kind::Comma);
+            names.push(self.name(what, help)?);
+        }
+        if wrapped {
+            self.expect(Kind::RightParen, "`)`", help)?;
+        }
+        Ok(names)
     }
 
     fn builder_condition(&mut self, before: Kind) -> Parsed<Option<Box<Condition>>> {

@@ -339,7 +339,8 @@ impl Parser<'_> {
                 if self.ahead(2) == Kind::Underscore && self.tight(2) {
                     return None;
                 }
-                if self.names_t {
+                if self.names_t && self.warned_t < Some(self.at) {
+                    self.warned_t = Some(self.at);
                     let span = self.here();
                     let warning =
                         Diagnostic::warning(span, "`^T` transposes, although `T` is a name");

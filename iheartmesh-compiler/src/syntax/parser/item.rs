@@ -265,6 +265,13 @@ impl Parser<'_> {
                 loop {
                     let comma = self.ahead(index) == Kind::Comma;
                     let comma = (comma && self.tight(index + 1)) as usize;
+                    // `p_i,q_i`: what has a subscript of its own is no subscript
+                    if comma == 1
+                        && self.ahead(index + 2) == Kind::Underscore
+                        && self.tight(index + 2)
+                    {
+                        break;
+                    }
                     let kind = self.ahead(index + comma);
                     let part = matches!(
                         kind,

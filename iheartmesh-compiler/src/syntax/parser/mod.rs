@@ -19,7 +19,7 @@ use super::names::ItemNames;
 use super::split::{Prepared, prepare};
 use super::token::{Kind, TextId, Token};
 use super::{ImportedNames, MOST_ERRORS, MOST_HEIGHT, MOST_NESTING, NoImports};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::span::{SourceId, Span};
 
 /// A mistake that has been reported already.
@@ -81,6 +81,8 @@ struct Parser<'a> {
     names_t: bool,
     diagnostics: Diagnostics,
     count: usize,
+    /// Where the last warning about `^T` stands, so that it comes once however often the place is looked at.
+    warned_t: Option<usize>,
     /// Where the text could not even be split into tokens.
     damaged: Vec<Span>,
     steps: usize,
@@ -139,6 +141,7 @@ fn begin<'a>(
         names_t,
         diagnostics: Diagnostics::default(),
         count: 0,
+        warned_t: None,
         damaged,
         steps: 0,
     };
@@ -227,7 +230,10 @@ impl Parser<'_> {
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
-        if self.count < MOST_ERRORS {
+        // a warning leaves the item as it is
+        if diagnostic.severity != Severity::Error {
+            self.diagnostics.push(diagnostic);
+        } else if self.count < MOST_ERRORS {
             self.count += 1;
             self.diagnostics.push(diagnostic);
         }
