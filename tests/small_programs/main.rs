@@ -1,6 +1,12 @@
 //! Small programs of linear algebra against values that NumPy and SciPy computed, with and without optimisations.
 //! `make.py` writes `programs.rs` from `programs.py`.
 
+#![allow(
+    deprecated,
+    reason = "a program that is warned about, since `T` is a name in it"
+)]
+#![allow(uncommon_codepoints, reason = "the Greek letters of a program")]
+
 use iheartmesh::Set;
 use iheartmesh::glam::{DMat2, DMat3, DMat4, DVec2, DVec3, DVec4};
 use iheartmesh::nalgebra::{

@@ -36,7 +36,7 @@ pub(super) fn items(
     let parameters: Vec<(Ident, TokenStream)> = context.new_parameters();
     let (names, types): (Vec<_>, Vec<_>) = parameters.iter().cloned().unzip();
     let conversions = context.values().map(|(id, input)| {
-        let name = names::ident(&names::rust_name(&input.name));
+        let name = names::argument(&input.name);
         let field = context.input_field(id);
         let value = context.held_value(&input.ty, quote!(#name));
         quote!(let #field = #value;)
@@ -45,7 +45,7 @@ pub(super) fn items(
         .program()
         .meshes
         .iter()
-        .map(|mesh| names::ident(&names::rust_name(&mesh.name)))
+        .map(|mesh| names::argument(&mesh.name))
         .collect();
     let fields: Vec<_> = context
         .values()
@@ -173,7 +173,7 @@ impl Context<'_> {
             .iter()
             .map(|id| {
                 let input = program.input(*id);
-                let name = names::ident(&names::rust_name(&input.name));
+                let name = names::argument(&input.name);
                 (name, self.parameter_type(&input.ty, &quote!('a)))
             })
             .collect()

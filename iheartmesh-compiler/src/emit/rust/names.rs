@@ -82,9 +82,16 @@ fn greek_name(c: char) -> Option<&'static str> {
     }
 }
 
-/// The argument of a method for a parameter of a function: what generated code calls its own values stays free.
+/// The argument of a method for a parameter: what generated code calls its own values stays free. Greek letters are spelled
+/// out, with `_` behind since there may be a parameter of that name: rustc warns where a crate has `γ` and `y`.
 pub fn argument(name: &str) -> Ident {
     let name = rust_name(name);
+    let variants = |c: char| greek_name(c).is_some() && (c == 'ς' || !('Α'..='ω').contains(&c));
+    if let Some(alias) = ascii_alias(&name)
+        && !name.contains(variants)
+    {
+        return ident(&format!("{alias}_"));
+    }
     match name.as_str() {
         "s" | "t" | "rt" | "sizes" | "value" | "fault" => ident(&format!("{name}_")),
         _ => ident(&name),

@@ -1,5 +1,6 @@
 //! The parser proper: recursive descent over prepared tokens, with precedence climbing for operators.
 
+mod ahead;
 mod atom;
 mod big;
 mod condition;
