@@ -4,7 +4,7 @@
 #[path = "support/twice.rs"]
 mod twice;
 
-use nalgebra::{dmatrix, dvector};
+use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
 programs! {
     Integers, PlainIntegers = r#"
@@ -14,6 +14,9 @@ programs! {
         factorial(n) = { 1 if n ≤ 1
                          n factorial(n - 1) otherwise
         where n ∈ ℤ
+        minus(k) = -k where k ∈ ℤ
+        size(k) = |k| where k ∈ ℤ
+        less(k, n) = n - k where k, n ∈ ℤ
         down(n) = { 0 if n = 0
                     down(n - 1) otherwise
         where n ∈ ℤ
@@ -24,6 +27,20 @@ programs! {
         c ∈ ℝ^n
         y = Q c
         t = Qᵀ Q
+    "#;
+
+    Empty, PlainEmpty = r#"
+        A ∈ ℝ^(n×n)
+        b ∈ ℝ^n
+        w ∈ ℝ^m
+        P ∈ ℝ^(m×m) sparse
+        x = A⁻¹ b
+        B = A⁻¹
+        R_i,* = w_i (1, 2, 3)
+        C_*,i = w_i (1, 2, 3)
+        times(u, k) = ∑_(i = 1)^k u where u ∈ ℝ^p, k ∈ ℤ
+        doubled(k) = times(b, k) + b where k ∈ ℤ
+        several(k) = ∑_(i = 1)^k P where k ∈ ℤ
     "#;
 }
 
@@ -37,9 +54,41 @@ fn integers_that_are_too_large() {
         module.try_factorial(25).unwrap_err(),
         module.try_square(1 << 40).unwrap_err(),
         module.try_twice(i64::MAX).unwrap_err(),
+        module.try_minus(i64::MIN).unwrap_err(),
+        module.try_size(i64::MIN).unwrap_err(),
+        module.try_less(i64::MIN, 0).unwrap_err(),
     ] {
         assert!(error.to_string().contains("an integer is too large in"), "{error}");
     }
+}
+
+#[test]
+fn the_least_integer() {
+    let module = Integers::new().unwrap();
+    assert_eq!(module.minus(i64::MAX), -i64::MAX);
+    assert_eq!(module.less(1, -i64::MAX), i64::MIN);
+}
+
+#[test]
+fn nothing_to_compute_with() {
+    let none = iheartmesh::sprs::CsMat::eye_csc(0);
+    let module = Empty::new(DMatrix::zeros(0, 0), DVector::zeros(0), DVector::zeros(0), none).unwrap();
+    assert_eq!(module.x().len(), 0);
+    assert_eq!(module.B().shape(), (0, 0));
+    // the type says how long rows would be
+    assert_eq!(module.R().shape(), (0, 3));
+    assert_eq!(module.C().shape(), (3, 0));
+}
+
+#[test]
+fn sums_of_arrays_without_terms() {
+    let p = iheartmesh::sprs::CsMat::eye_csc(3);
+    let module = Empty::new(dmatrix![2.0], dvector![3.0], dvector![1.0, 1.0, 1.0], &p).unwrap();
+    assert_eq!(module.times(&dvector![1.0, 2.0], 3), dvector![3.0, 6.0]);
+    assert_eq!(module.times(&dvector![1.0, 2.0], 0), dvector![0.0, 0.0]);
+    assert_eq!(module.doubled(2), dvector![9.0]);
+    assert_eq!(module.several(0).shape(), (3, 3));
+    assert_eq!(module.several(2).get(1, 1), Some(&2.0));
 }
 
 #[test]

@@ -10,6 +10,8 @@
 pub mod check;
 pub mod diagnostic;
 pub mod emit;
+#[cfg(feature = "interpret")]
+pub mod interpret;
 pub mod ir;
 mod library;
 pub mod optimize;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Which parts of the compiler a part may use besides itself; those of the root need no entry.
 ///
 /// `syntax::ast` stands for the vocabulary of the tree alone, `syntax::ast::CompareOp` for this one type.
-const MAY_USE: [(&str, &[&str]); 8] = [
+const MAY_USE: [(&str, &[&str]); 9] = [
     ("syntax", &["span", "source", "diagnostic"]),
     ("types", &["syntax::ast"]),
     ("resolve", &["span", "diagnostic", "syntax"]),
@@ -27,6 +27,10 @@ const MAY_USE: [(&str, &[&str]); 8] = [
             "optimize",
             "syntax::ast::CompareOp",
         ],
+    ),
+    (
+        "interpret",
+        &["types", "ir", "optimize", "syntax::ast::CompareOp"],
     ),
     ("render", &["span", "source", "diagnostic"]),
 ];
@@ -55,7 +59,7 @@ const LONGER: [(&str, &str); 4] = [
 ];
 
 /// Where the Rust of the workspace stands.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 11] = [
     "src",
     "iheartmesh-compiler/src",
     "iheartmesh-compiler/tests",
@@ -63,6 +67,8 @@ const FOLDERS: [&str; 9] = [
     "iheartmesh-runtime/src",
     "iheartmesh-runtime/tests",
     "neighborhoods/src",
+    "tests/random-programs/generate",
+    "tests/random-programs/tests",
     "examples",
     "benches",
 ];

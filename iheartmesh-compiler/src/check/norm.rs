@@ -22,9 +22,11 @@ impl<'a> Checker<'a> {
             return value;
         }
         match (&ty, double) {
-            (Type::Scalar(number), false) if subscript.is_none() => {
-                self.add(Kind::Unary(Unary::Absolute, value), Type::Scalar(*number))
-            }
+            (Type::Scalar(number), false) if subscript.is_none() => self.add_at(
+                e.span,
+                Kind::Unary(Unary::Absolute, value),
+                Type::Scalar(*number),
+            ),
             (Type::Set(_), false) if subscript.is_none() => {
                 self.add(Kind::Cardinality(value), Type::INTEGER)
             }

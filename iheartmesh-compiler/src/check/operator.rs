@@ -17,7 +17,11 @@ impl<'a> Checker<'a> {
         }
         let one = Dimension::known(1);
         match (op, ty.shape()) {
-            (UnaryOp::Negate, Some(_)) => self.negate(value),
+            (UnaryOp::Negate, Some(_)) => {
+                let negative = self.negate(value);
+                self.program.arena.note_origin(negative, e.span);
+                negative
+            }
             (UnaryOp::SquareRoot, Some(Shape::Scalar)) => {
                 let value = self.real(value);
                 self.add(Kind::Unary(Unary::SquareRoot, value), Type::REAL)

@@ -13,11 +13,13 @@
 
 mod arena;
 mod display;
+mod failure;
 mod program;
 pub mod validate;
 
 pub use arena::{Arena, ExprId, Node};
 pub use display::{expression, program, types};
+pub use failure::failure;
 pub use program::{
     Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Parameter, Program,
     Site,

@@ -12,8 +12,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use super::binding::Binding;
 use super::rewrite;
-use crate::ir::{Arena, ExprId, FunctionId, Kind, Program};
-use crate::types::Type;
+use crate::ir::{Arena, ExprId, Function, FunctionId, Kind, Program};
+use crate::types::{Atom, Type};
 
 /// A body with more expressions than this is not copied.
 const LARGEST_BODY: usize = 600;
@@ -98,12 +98,32 @@ fn body(
 
 fn is_inlined(program: &Program, binding: &Binding, id: FunctionId) -> bool {
     let function = program.function(id);
-    if binding.functions[id.0 as usize] || function.recursive {
+    if binding.functions[id.0 as usize] || function.recursive || has_own_sizes(program, function) {
         return false;
     }
     let mut size = 0;
     reachable(&program.arena, function.body, &mut |_| size += 1);
     size <= LARGEST_BODY && !is_field(program, id)
+}
+
+/// Whether parameters of a function have sizes that no parameter of the program has: types in its body name them, and
+/// mean nothing elsewhere.
+fn has_own_sizes(program: &Program, function: &Function) -> bool {
+    let mut known = BTreeSet::new();
+    let mut note = |atom: &Atom| {
+        known.insert(atom.clone());
+    };
+    for input in &program.inputs {
+        note(&Atom::Symbol(input.name.clone()));
+        input.ty.atoms(&mut note);
+    }
+    let mut own = false;
+    for parameter in &function.parameters {
+        parameter
+            .ty
+            .atoms(&mut |atom| own |= matches!(atom, Atom::Symbol(_)) && !known.contains(atom));
+    }
+    own
 }
 
 /// Whether a function is of one element and has enough work in it to be worth storing its values.

@@ -16,7 +16,7 @@ use crate::ir::{
     Arena, Binary, ExprId, Fold, Function, FunctionId, GlobalId, Kind, Program, Range, Unary,
     VariableId,
 };
-use crate::types::{Element, Type};
+use crate::types::{Atom, Element, Type};
 
 /// Stages every function and definition that depends on values. Without `tabulate` the plans are empty.
 pub fn run(staged: &mut StagedProgram, binding: &Binding, tabulate: bool) {
@@ -316,10 +316,10 @@ impl MayFail {
             Kind::Fold { op, .. } => {
                 matches!(op, Fold::Min | Fold::Max)
                     || matches!(op, Fold::Sum | Fold::Product) && *arena.ty(e) == Type::INTEGER
+                    || is_of_unknown_size(arena.ty(e))
             }
-            Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
-                may_overflow(arena, e)
-            }
+            Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..)
+            | Kind::Unary(Unary::Negate | Unary::Absolute, _) => may_overflow(arena, e),
             Kind::Component(vector, index) => {
                 !matches!(arena.kind(*index), Kind::Integer(_))
                     || arena.ty(*vector).fixed_vector().is_none()
@@ -333,6 +333,13 @@ impl MayFail {
             _ => false,
         }
     }
+}
+
+/// Whether a size of a type is known only from a value: without one, a sum of such has none.
+fn is_of_unknown_size(ty: &Type) -> bool {
+    let mut unknown = false;
+    ty.atoms(&mut |atom| unknown |= matches!(atom, Atom::Dynamic(_)));
+    unknown
 }
 
 /// Whether an operation on integers may leave the range of `i64`: it cannot with numbers of elements, entries of
@@ -356,6 +363,7 @@ pub fn may_overflow(arena: &Arena, e: ExprId) -> bool {
         && matches!(
             arena.kind(e),
             Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..)
+                | Kind::Unary(Unary::Negate | Unary::Absolute, _)
         )
         && bits(arena, e) > 63
 }

@@ -50,6 +50,12 @@ fn real(arena: &Arena, e: ExprId) -> Option<f64> {
 fn canonical(arena: &mut Arena, e: ExprId) -> ExprId {
     let ty = arena.ty(e).clone();
     match arena.kind(e).clone() {
+        // where integers may be too large, every step must be as it is written
+        Kind::Unary(Unary::Negate, _) if super::may_overflow(arena, e) => e,
+        Kind::Binary(op, a, b) if super::may_overflow(arena, e) => match op {
+            Binary::Add | Binary::Multiply => ordered(arena, op, a, b, ty),
+            _ => e,
+        },
         Kind::Unary(Unary::Negate, a) => match (negated(arena, a), real(arena, a)) {
             (Some(inner), _) => inner,
             (_, Some(value)) => arena.real(-value),

@@ -210,6 +210,29 @@ impl Type {
         }
     }
 
+    /// Calls `f` with each unknown number in its sizes.
+    pub fn atoms(&self, f: &mut impl FnMut(&Atom)) {
+        let mut of = |size: &Dimension| size.terms().flat_map(|(_, atoms)| atoms).for_each(&mut *f);
+        match self {
+            Type::Vector { length, .. } => of(length),
+            Type::Matrix { rows, columns, .. } => {
+                of(rows);
+                of(columns);
+            }
+            Type::Sequence { item, length, .. } => {
+                of(length);
+                item.atoms(f);
+            }
+            Type::Set(item) => item.atoms(f),
+            Type::Tuple(items) => items.iter().for_each(|item| item.atoms(f)),
+            Type::Function { parameters, result } => {
+                parameters.iter().for_each(|item| item.atoms(f));
+                result.atoms(f);
+            }
+            _ => {}
+        }
+    }
+
     /// Whether all of its sizes are numbers; so it is for what has none.
     pub fn is_fixed(&self) -> bool {
         match self {

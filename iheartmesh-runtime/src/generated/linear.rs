@@ -41,7 +41,8 @@ where
 impl Square for DMatrix<f64> {
     fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R> {
         let mut right = DMatrix::from_fn(b.rows(), b.columns(), |i, j| b.entry(i, j));
-        if !self.clone().lu().solve_mut(&mut right) {
+        // nalgebra solves no system without equations
+        if !self.is_empty() && !self.clone().lu().solve_mut(&mut right) {
             return None;
         }
         Some(R::build(self.nrows(), b.columns(), |i, j| right[(i, j)]))

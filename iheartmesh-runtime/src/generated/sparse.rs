@@ -14,6 +14,11 @@ pub fn sparse_diagonal(entries: &[f64]) -> CsMat<f64> {
     triplets.to_csc()
 }
 
+/// The matrix without entries.
+pub fn sparse_zeros(rows: usize, columns: usize) -> CsMat<f64> {
+    TriMat::new((rows, columns)).to_csc()
+}
+
 /// A matrix with the entries other than 0 stored.
 pub fn sparse(a: &impl Array<Item = f64>) -> CsMat<f64> {
     let mut triplets = TriMat::new((a.rows(), a.columns()));

@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 
 use super::Context;
 use super::place::{Part, Placement, RegionId, Roots};
-use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
+use crate::ir::{ExprId, Fold, Kind, Parameter, Range, VariableId};
 use crate::optimize::{Plan, Rows};
-use crate::types::{Number, Type};
+use crate::types::{Atom, Number, Type};
 
 /// How a body reaches what it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +34,8 @@ pub(super) struct Body<'a> {
     pub(super) calls: BTreeMap<ExprId, TokenStream>,
     /// How variables are written, where not by their own name.
     pub(super) variables: BTreeMap<VariableId, TokenStream>,
+    /// Sizes that the arguments of the function at hand give.
+    pub(super) sizes: BTreeMap<Atom, TokenStream>,
 }
 
 impl<'a> Body<'a> {
@@ -53,6 +55,7 @@ impl<'a> Body<'a> {
             names: BTreeMap::new(),
             calls: BTreeMap::new(),
             variables: BTreeMap::new(),
+            sizes: BTreeMap::new(),
         }
     }
 
@@ -63,10 +66,22 @@ impl<'a> Body<'a> {
         plan: &'a Plan,
         e: ExprId,
     ) -> TokenStream {
+        Self::of_function(context, mode, plan, &[], e)
+    }
+
+    /// The body of a function with these parameters.
+    pub(super) fn of_function(
+        context: &'a Context<'a>,
+        mode: Mode,
+        plan: &'a Plan,
+        parameters: &[Parameter],
+        e: ExprId,
+    ) -> TokenStream {
         let mut roots = Roots::default();
         let region = roots.region(None, None);
         roots.need(region, e);
         let mut body = Self::new(context, mode, plan, &roots);
+        body.sizes = context.sizes_of(parameters);
         let statements = body.statements(RegionId(region), &[e]);
         let result = body.owned(e);
         quote!(#statements ::std::result::Result::Ok(#result))
@@ -232,10 +247,20 @@ impl<'a> Body<'a> {
     ) -> (TokenStream, TokenStream) {
         let inner = self.context.inner_type(ty);
         match op {
-            Fold::Sum => {
-                let zero = self.context.zero_of(ty);
-                (quote!(let mut sum: #inner = #zero;), quote!(sum))
-            }
+            Fold::Sum => match self.context.known_zero_of(ty, &self.sizes) {
+                Some(zero) => (quote!(let mut sum: #inner = #zero;), quote!(sum)),
+                // the first term says how large they are
+                None => {
+                    let site = self.context.site(e);
+                    (
+                        quote!(let mut sum: ::std::option::Option<#inner> = ::std::option::Option::None;),
+                        quote!(match sum {
+                            ::std::option::Option::Some(sum) => sum,
+                            ::std::option::Option::None => return ::std::result::Result::Err(#site),
+                        }),
+                    )
+                }
+            },
             Fold::Product => match ty {
                 Type::Scalar(Number::Integer) => (quote!(let mut product = 1i64;), quote!(product)),
                 _ => (quote!(let mut product = 1.0f64;), quote!(product)),
@@ -279,8 +304,22 @@ impl<'a> Body<'a> {
                 let value = self.owned(body);
                 quote!(sum += #value;)
             }
+            Fold::Sum if self.context.known_zero_of(ty, &self.sizes).is_none() => {
+                let value = self.owned(body);
+                let inner = self.context.inner_type(ty);
+                quote! {
+                    let value = #value;
+                    sum = ::std::option::Option::Some(match sum {
+                        ::std::option::Option::Some(sum) => rt::zip::<#inner>(&sum, &value, |a, b| a + b),
+                        ::std::option::Option::None => value,
+                    });
+                }
+            }
             Fold::Sum => {
                 let value = self.reference(body);
+                if ty.is_sparse() {
+                    return quote!(sum = &sum + #value;);
+                }
                 let inner = self.context.inner_type(ty);
                 quote!(sum = rt::zip::<#inner>(&sum, #value, |a, b| a + b);)
             }

@@ -297,10 +297,15 @@ impl Body<'_> {
         if !self.ty(a).is_scalar() && !self.ty(a).is_element() {
             return self.array_unary(e, op, a);
         }
+        let overflows = crate::optimize::may_overflow(&self.context.program().arena, e);
+        let site = self.context.site(e);
+        let integer = *self.ty(e) == Type::INTEGER;
         let value = self.owned(a);
         match op {
+            Unary::Negate if overflows => quote!(rt::integers((#value).checked_neg(), #site)?),
+            Unary::Absolute if overflows => quote!(rt::integers((#value).checked_abs(), #site)?),
             Unary::Negate => quote!((-#value)),
-            Unary::Absolute if *self.ty(e) == Type::INTEGER => quote!((#value).wrapping_abs()),
+            Unary::Absolute if integer => quote!((#value).wrapping_abs()),
             Unary::Absolute => quote!((#value).abs()),
             Unary::SquareRoot => quote!((#value).sqrt()),
             Unary::ToReal => quote!((#value as f64)),

@@ -397,7 +397,13 @@ impl Context<'_> {
         };
         match self.staged.functions.get(&id) {
             None => {
-                let body = Body::single(self, Mode::Static, &Plan::default(), function.body);
+                let body = Body::of_function(
+                    self,
+                    Mode::Static,
+                    &Plan::default(),
+                    &function.parameters,
+                    function.body,
+                );
                 quote!(pub fn #name(t: &Topology<'_> #(, #parameters)*) -> rt::Fallible<#ty> { #guard #body })
             }
             Some(staged) => {
@@ -407,7 +413,13 @@ impl Context<'_> {
                     .parameters
                     .first()
                     .map(|p| variable_ident(self, p.variable));
-                let body = Body::single(self, Mode::Dynamic, &staged.plan, staged.body);
+                let body = Body::of_function(
+                    self,
+                    Mode::Dynamic,
+                    &staged.plan,
+                    &function.parameters,
+                    staged.body,
+                );
                 let whole = self.whole(id, staged).map(|(_, code)| code);
                 if let Some((table, row, n)) = self.row_of_function(id) {
                     let of_row = self.row_function_name(id);

@@ -125,7 +125,7 @@ impl Context<'_> {
         while let crate::ir::Kind::Project(tuple, _) = self.program().arena.kind(e) {
             e = *tuple;
         }
-        let what = self.failure(e);
+        let what = crate::ir::failure(self.program(), e);
         let text = match self.program().arena.origin(e) {
             Some(span) => {
                 let source = self.sources.get(span.source);
@@ -145,48 +145,5 @@ impl Context<'_> {
             None => what,
         };
         quote!(rt::Fault::new(#text))
-    }
-
-    fn failure(&self, e: ExprId) -> String {
-        use crate::ir::{Binary, Fold, Kind};
-        let arena = &self.program().arena;
-        match arena.kind(e) {
-            Kind::SetItem(_, index) => match arena.kind(*index) {
-                Kind::Integer(k) => format!("the set has no member {k}"),
-                _ => "the set has no member of this number".to_owned(),
-            },
-            Kind::Sized(_, n) => format!("the set does not have exactly {n} members"),
-            Kind::Item(_, index) if arena.ty(*index).is_element() => {
-                "the sequence has no such item".to_owned()
-            }
-            Kind::Item(..) => "the sequence has no item of this number".to_owned(),
-            Kind::Component(..) => "the vector has no entry of this number".to_owned(),
-            Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set".to_owned(),
-            Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set".to_owned(),
-            Kind::Fail => "no case applies".to_owned(),
-            Kind::Fold { .. }
-            | Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
-                "an integer is too large".to_owned()
-            }
-            Kind::At(..) => "the matrix has no such entry".to_owned(),
-            Kind::RowOf(..) => "the matrix has no such row".to_owned(),
-            Kind::ColumnOf(..) => "the matrix has no such column".to_owned(),
-            Kind::Agree(..) => "two sizes differ that one index runs over,".to_owned(),
-            Kind::Unary(crate::ir::Unary::Inverse, _) => {
-                "a singular matrix has no inverse:".to_owned()
-            }
-            Kind::Binary(crate::ir::Binary::Solve, ..) => {
-                "the matrix of the system is singular".to_owned()
-            }
-            Kind::Binary(crate::ir::Binary::MatrixPower, ..) => {
-                "this power of the matrix does not exist".to_owned()
-            }
-            Kind::Binary(crate::ir::Binary::Unstack, ..) => "the sizes do not fit".to_owned(),
-            Kind::Unary(crate::ir::Unary::Least | crate::ir::Unary::Greatest, _) => {
-                "the extremum of nothing".to_owned()
-            }
-            Kind::Call(id, _) => format!("`{}` has no value", self.program().function(*id).name),
-            _ => "there is no such element".to_owned(),
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! Sizes: where the symbols of a size get their values, and the checks that all inputs agree on them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::Context;
-use crate::ir::{Input, InputId};
+use crate::ir::{Input, InputId, Parameter};
 use crate::types::{Atom, Dimension, Type};
 
 /// One direction of an input.
@@ -63,6 +63,38 @@ impl Context<'_> {
                 .terms()
                 .any(|(_, atoms)| atoms.contains(atom))
         })
+    }
+
+    /// The sizes that arguments bring along, as `i64`.
+    pub(super) fn sizes_of(&self, parameters: &[Parameter]) -> BTreeMap<Atom, TokenStream> {
+        let mut sizes = BTreeMap::new();
+        for parameter in parameters {
+            let name = super::block::variable_ident(self, parameter.variable);
+            let axes = match &parameter.ty {
+                Type::Vector { length, .. } => {
+                    vec![(length, quote!(rt::Array::rows(#name) as i64))]
+                }
+                Type::Matrix { rows, columns, .. } => vec![
+                    (rows, quote!(rt::Array::rows(#name) as i64)),
+                    (columns, quote!(rt::Array::columns(#name) as i64)),
+                ],
+                Type::Sequence { length, .. } => vec![(length, quote!(#name.len() as i64))],
+                _ => Vec::new(),
+            };
+            for (dimension, size) in axes {
+                if let Some(atom) = dimension.as_atom()
+                    && !self.has_source(atom)
+                {
+                    sizes.entry(atom.clone()).or_insert(quote!((#size)));
+                }
+            }
+        }
+        sizes
+    }
+
+    /// Whether an input gives a symbol its value.
+    pub(super) fn has_source(&self, atom: &Atom) -> bool {
+        self.size_source(atom).is_some()
     }
 
     /// The input that gives a symbol its value.

@@ -6,6 +6,7 @@ use quote::quote;
 use super::block::Body;
 use super::place::Part;
 use crate::ir::{ExprId, Kind};
+use crate::types::Type;
 
 impl Body<'_> {
     /// An element-wise definition.
@@ -74,14 +75,20 @@ impl Body<'_> {
             }
             crate::ir::Layout::Rows | crate::ir::Layout::Columns => {
                 let value = self.owned(*body);
+                // without items the type says how long they would be
+                let length = match self.ty(*body) {
+                    Type::Vector { length, .. } => self.context.known_size(length, &self.sizes),
+                    _ => None,
+                };
+                let length = length.map_or(quote!(0usize), |n| quote!(rt::size(#n)));
                 let (rows, columns, put) = match layout {
                     crate::ir::Layout::Rows => (
                         quote!(items.len()),
-                        quote!(items.first().map_or(0, |item| rt::Array::rows(item))),
+                        quote!(items.first().map_or(#length, |item| rt::Array::rows(item))),
                         quote!(rt::Array::entry(&items[i], j, 0)),
                     ),
                     _ => (
-                        quote!(items.first().map_or(0, |item| rt::Array::rows(item))),
+                        quote!(items.first().map_or(#length, |item| rt::Array::rows(item))),
                         quote!(items.len()),
                         quote!(rt::Array::entry(&items[j], i, 0)),
                     ),

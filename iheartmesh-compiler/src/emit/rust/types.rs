@@ -3,11 +3,13 @@
 //! Inside, elements are `u32` and sets of elements sorted lists of these; outside they are handles and sets of
 //! handles.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
-use crate::types::{Element, ElementKind, Number, Type};
+use crate::types::{Atom, Dimension, Element, ElementKind, Number, Shape, Type};
 
 impl Context<'_> {
     /// The handle of a kind of elements.
@@ -265,60 +267,80 @@ impl Context<'_> {
 
     /// The zero of a type that has sums.
     pub(super) fn zero_of(&self, ty: &Type) -> TokenStream {
-        match ty {
+        match self.known_zero_of(ty, &BTreeMap::new()) {
+            Some(zero) => zero,
+            None => panic!("bug in iheartmesh: no zero of {ty}"),
+        }
+    }
+
+    /// The zero of a type, where its sizes are known from parameters of the program, the mesh, or `sizes` of the function
+    /// at hand.
+    pub(super) fn known_zero_of(
+        &self,
+        ty: &Type,
+        sizes: &BTreeMap<Atom, TokenStream>,
+    ) -> Option<TokenStream> {
+        Some(match ty {
             Type::Scalar(Number::Real) => quote!(0.0f64),
             Type::Scalar(Number::Integer) => quote!(0i64),
             _ => {
                 let inner = self.inner_type(ty);
-                match ty.shape() {
-                    Some(shape) if !is_glam(ty) => {
-                        let (rows, columns) = self.shape_sizes(shape);
-                        quote!(<#inner as rt::Build>::zeros(#rows, #columns))
-                    }
-                    _ => quote!(#inner::ZERO),
+                let size = |dimension: &Dimension| {
+                    let size = self.known_size(dimension, sizes)?;
+                    Some(quote!(rt::size(#size)))
+                };
+                let (rows, columns) = match ty.shape() {
+                    Some(Shape::Vector(n)) if !is_glam(ty) => (size(&n)?, quote!(1usize)),
+                    Some(Shape::Matrix(n, m)) if !is_glam(ty) => (size(&n)?, size(&m)?),
+                    _ => return Some(quote!(#inner::ZERO)),
+                };
+                match ty.is_sparse() {
+                    true => quote!(rt::sparse_zeros(#rows, #columns)),
+                    false => quote!(<#inner as rt::Build>::zeros(#rows, #columns)),
                 }
             }
-        }
-    }
-
-    /// Rows and columns of a shape as `usize`.
-    pub(super) fn shape_sizes(&self, shape: crate::types::Shape) -> (TokenStream, TokenStream) {
-        let one = quote!(1usize);
-        match shape {
-            crate::types::Shape::Scalar => (one.clone(), one),
-            crate::types::Shape::Vector(n) => (self.size_of(&n), one),
-            crate::types::Shape::Matrix(n, m) => (self.size_of(&n), self.size_of(&m)),
-        }
-    }
-
-    fn size_of(&self, dimension: &crate::types::Dimension) -> TokenStream {
-        let size = self.size(dimension);
-        quote!(rt::size(#size))
+        })
     }
 
     /// A size as `i64`; needs `s` for symbols and `t` for numbers of elements.
-    pub(super) fn size(&self, dimension: &crate::types::Dimension) -> TokenStream {
-        use crate::types::Atom;
+    pub(super) fn size(&self, dimension: &Dimension) -> TokenStream {
+        match self.known_size(dimension, &BTreeMap::new()) {
+            Some(size) => size,
+            None => panic!("bug in iheartmesh: the size {dimension} is not known"),
+        }
+    }
+
+    /// A size as `i64`, where parameters of the program, the mesh, or `sizes` of the function at hand give it.
+    pub(super) fn known_size(
+        &self,
+        dimension: &Dimension,
+        sizes: &BTreeMap<Atom, TokenStream>,
+    ) -> Option<TokenStream> {
         if let Some(n) = dimension.value() {
             let n = proc_macro2::Literal::i64_suffixed(n);
-            return quote!(#n);
+            return Some(quote!(#n));
         }
-        let terms = dimension.terms().map(|(k, atoms)| {
+        let mut terms = Vec::new();
+        for (k, atoms) in dimension.terms() {
             let k = proc_macro2::Literal::i64_suffixed(k);
-            let factors = atoms.iter().map(|atom| match atom {
-                Atom::Count(element) => {
-                    let n = self.count(*element);
-                    quote!((#n as i64))
-                }
-                Atom::Symbol(name) | Atom::Length(name) => {
-                    let field = self.size_field(atom, name);
-                    quote!(sizes.#field)
-                }
-                Atom::Dynamic(_) => quote!(0i64),
-            });
-            quote!(#k #(* #factors)*)
-        });
-        quote!((0i64 #(+ #terms)*))
+            let mut factors = Vec::new();
+            for atom in atoms {
+                factors.push(match atom {
+                    atom if sizes.contains_key(atom) => sizes[atom].clone(),
+                    Atom::Count(element) => {
+                        let n = self.count(*element);
+                        quote!((#n as i64))
+                    }
+                    Atom::Symbol(name) | Atom::Length(name) if self.has_source(atom) => {
+                        let field = self.size_field(atom, name);
+                        quote!(sizes.#field)
+                    }
+                    _ => return None,
+                });
+            }
+            terms.push(quote!(#k #(* #factors)*));
+        }
+        Some(quote!((0i64 #(+ #terms)*)))
     }
 
     /// The field that holds a size.

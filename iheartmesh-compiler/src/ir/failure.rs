@@ -1,0 +1,42 @@
+//! What is said where an expression has no value.
+
+use super::{Binary, ExprId, Fold, Kind, Program, Unary};
+use crate::types::Type;
+
+/// Why an expression has no value when its operands have theirs.
+pub fn failure(program: &Program, e: ExprId) -> String {
+    let arena = &program.arena;
+    let text = match arena.kind(e) {
+        Kind::SetItem(_, index) => match arena.kind(*index) {
+            Kind::Integer(k) => return format!("the set has no member {k}"),
+            _ => "the set has no member of this number",
+        },
+        Kind::Sized(_, n) => return format!("the set does not have exactly {n} members"),
+        Kind::Item(_, index) if arena.ty(*index).is_element() => "the sequence has no such item",
+        Kind::Item(..) => "the sequence has no item of this number",
+        Kind::Component(..) => "the vector has no entry of this number",
+        Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set",
+        Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set",
+        Kind::Fail => "no case applies",
+        Kind::Fold { op: Fold::Sum, .. } if *arena.ty(e) != Type::INTEGER => {
+            "a sum without terms, whose size is not known,"
+        }
+        Kind::Fold { .. }
+        | Kind::Unary(Unary::Negate | Unary::Absolute, _)
+        | Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
+            "an integer is too large"
+        }
+        Kind::At(..) => "the matrix has no such entry",
+        Kind::RowOf(..) => "the matrix has no such row",
+        Kind::ColumnOf(..) => "the matrix has no such column",
+        Kind::Agree(..) => "two sizes differ that one index runs over,",
+        Kind::Unary(Unary::Inverse, _) => "a singular matrix has no inverse:",
+        Kind::Binary(Binary::Solve, ..) => "the matrix of the system is singular",
+        Kind::Binary(Binary::MatrixPower, ..) => "this power of the matrix does not exist",
+        Kind::Binary(Binary::Unstack, ..) => "the sizes do not fit",
+        Kind::Unary(Unary::Least | Unary::Greatest, _) => "the extremum of nothing",
+        Kind::Call(id, _) => return format!("`{}` has no value", program.function(*id).name),
+        _ => "there is no such element",
+    };
+    text.to_owned()
+}
