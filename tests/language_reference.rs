@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 
 use iheartmesh_compiler::optimize::Optimizations;
 use iheartmesh_compiler::source::Source;
-use iheartmesh_compiler::{Library, Request, compile, imported_modules, render};
+use iheartmesh_compiler::syntax::print::Spelling;
+use iheartmesh_compiler::{Library, Request, compile, format, imported_modules, render};
 use proc_macro2::{Ident, Span};
 
 #[test]
@@ -27,6 +28,25 @@ fn readme() {
 #[test]
 fn language() {
     check("docs/language.md");
+}
+
+#[test]
+fn formatting() {
+    let page = "docs/formatting.md";
+    check(page);
+    // the second program is the first one, formatted
+    let text = fs::read_to_string(root().join(page)).unwrap();
+    let programs = blocks(page, &text);
+    let programs: Vec<_> = programs
+        .iter()
+        .filter(|block| block.tag == "hlang")
+        .collect();
+    let [before, after] = programs[..] else {
+        panic!("{page} has two programs");
+    };
+    let source = Source::file("before.hlang", before.lines.join("\n"));
+    let formatted = format(source, &[], Spelling::Unicode).unwrap();
+    assert_eq!(formatted.trim_end(), after.lines.join("\n"));
 }
 
 #[test]

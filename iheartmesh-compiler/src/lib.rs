@@ -26,7 +26,7 @@ use std::rc::Rc;
 
 use proc_macro2::{Ident, TokenStream};
 
-pub use library::{Library, imported_modules};
+pub use library::{Library, format, imported_modules};
 
 use diagnostic::Diagnostics;
 use optimize::{Optimizations, StagedProgram};

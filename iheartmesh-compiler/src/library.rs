@@ -61,6 +61,33 @@ pub(crate) fn parse_all(
     }
 }
 
+/// The canonical text of a module in one of the spellings, as [`syntax::format()`] makes it; which imported names are
+/// functions follows from the modules that it imports.
+///
+/// # Errors
+/// The diagnostics of a text with mistakes, and the texts that they point into.
+pub fn format(
+    source: Source,
+    libraries: &[Library],
+    spelling: syntax::print::Spelling,
+) -> Result<String, (Diagnostics, Sources)> {
+    let mut sources = Sources::default();
+    let id = sources.add(source.clone());
+    // mistakes of imported modules are no reason to leave this one as it is
+    let mut ignored = Diagnostics::default();
+    let mut parser = Parser {
+        available: libraries,
+        sources: &mut sources,
+        diagnostics: &mut ignored,
+        parsed: BTreeMap::new(),
+        open: Vec::new(),
+    };
+    parser.needs(&source, id);
+    let parsed = parser.parsed;
+    syntax::format(&source, id, &Names(&parsed), spelling)
+        .map_err(|diagnostics| (diagnostics, sources))
+}
+
 struct Parser<'a> {
     available: &'a [Library],
     sources: &'a mut Sources,

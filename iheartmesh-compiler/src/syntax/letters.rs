@@ -32,6 +32,9 @@ pub(super) fn letter(text: &str) -> Option<(usize, String)> {
 /// A backslash with a name of the table: its length and the sign.
 pub(super) fn escape(text: &str) -> Option<(usize, char)> {
     let rest = text.strip_prefix('\\')?;
+    if let Some((length, sign)) = spelling::fraction_named(rest) {
+        return Some((length + 1, sign));
+    }
     let end = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
     let sign = spelling::sign(&rest[..end.min(16)])?;
     (end <= 16).then_some((end + 1, sign))

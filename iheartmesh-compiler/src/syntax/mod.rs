@@ -9,6 +9,7 @@ pub mod ast;
 pub mod builtin;
 mod dump;
 mod export;
+mod format;
 mod import_names;
 mod layout;
 mod letters;
@@ -24,6 +25,7 @@ mod token;
 
 pub use dump::dump;
 pub use export::{export_names, export_names_with};
+pub use format::format;
 pub use strip::strip_spans;
 pub use suggest::closest;
 

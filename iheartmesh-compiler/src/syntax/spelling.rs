@@ -13,6 +13,7 @@
 //! | `‖…‖` | `\|\|…\|\|` | `⟨a, b⟩` | `<a, b>` | `≠` `≤` `≥` | `!=` `<=` `>=` |
 //! | `→` | `->` | `∅` | `{}` | `∂` `∇` `Δ` `𝕕` | `\partial` `\nabla` `\Delta` `\dd` |
 //! | `π` `∞` | `\pi` `\infty` | `𝟙` | `1` | `∀` | `for` |
+//! | `½` `⅒` … | `\frac12` `\frac110` … | | | | |
 //! | `ᵀ` `⁻¹` `⁺` `²` | `^T` `^-1` `^+` `^2` | `xᵢ` | `x_i` | `θ` `Φ` … | `\theta` `\Phi` … |
 
 /// Signs with a backslash name; the first name of a sign is the one that the printer writes.
@@ -229,6 +230,24 @@ pub fn name_of(sign: char) -> Option<&'static str> {
 pub fn fraction(sign: char) -> Option<f64> {
     let found = FRACTIONS.iter().find(|(c, _, _)| *c == sign);
     found.map(|(_, above, below)| above / below)
+}
+
+/// The ASCII name of a vulgar fraction with its backslash, such as `\frac13`.
+pub fn fraction_name(sign: char) -> Option<String> {
+    let found = FRACTIONS.iter().find(|(c, _, _)| *c == sign);
+    found.map(|(_, above, below)| format!("\\frac{above}{below}"))
+}
+
+/// The vulgar fraction that a text begins with, and its length in ASCII: `frac13` is `⅓`.
+pub fn fraction_named(text: &str) -> Option<(usize, char)> {
+    let digits = text.strip_prefix("frac")?;
+    let names = FRACTIONS
+        .iter()
+        .map(|(sign, a, b)| (format!("{a}{b}"), *sign));
+    // `frac110` is a tenth
+    let found = names.filter(|(name, _)| digits.starts_with(name.as_str()));
+    let longest = found.max_by_key(|(name, _)| name.len())?;
+    Some((4 + longest.0.len(), longest.1))
 }
 
 /// The vulgar fraction with exactly this value.

@@ -88,3 +88,60 @@ pub fn corpus() -> Vec<(String, String)> {
     texts.sort();
     texts
 }
+
+/// Everything in the repository that might be a program, with the file it stands in: files, programs in the
+/// documentation, and string literals of tests, examples and benchmarks. Many are not programs, or have mistakes.
+pub fn programs() -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut open = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..")];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).expect("a readable folder") {
+            let path = entry.expect("a readable folder").path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let name = name.into_owned();
+            if path.is_dir() {
+                let skipped =
+                    name.starts_with('.') || matches!(name.as_str(), "target" | "fuzz" | "out");
+                if !skipped {
+                    open.push(path);
+                }
+                continue;
+            }
+            let Ok(text) = std::fs::read_to_string(&path) else {
+                continue;
+            };
+            match path.extension().and_then(|e| e.to_str()) {
+                Some("hlang") => {
+                    found.extend(text.split("\n---\n").map(|t| (name.clone(), t.to_owned())))
+                }
+                Some("md") => found.extend(fenced(&text).map(|t| (name.clone(), t))),
+                Some("rs") => found.extend(literals(&text).map(|t| (name.clone(), t))),
+                _ => {}
+            }
+        }
+    }
+    found.sort_by(|(_, first), (_, second)| first.cmp(second));
+    found.dedup_by(|(_, first), (_, second)| first == second);
+    found
+}
+
+/// The fenced programs of a page.
+fn fenced(text: &str) -> impl Iterator<Item = String> {
+    let blocks = text.split("```hlang").skip(1);
+    blocks.map(|block| {
+        let block = block.split("```").next().unwrap_or_default();
+        block
+            .split_once('\n')
+            .map_or("", |(_, program)| program)
+            .to_owned()
+    })
+}
+
+/// The string literals of Rust; those with escapes as they are written.
+fn literals(text: &str) -> impl Iterator<Item = String> {
+    let raw = text.split("r#\"").skip(1);
+    let raw = raw.filter_map(|rest| rest.split("\"#").next());
+    let plain = text.split('"').skip(1).step_by(2);
+    let all: Vec<String> = raw.chain(plain).map(str::to_owned).collect();
+    all.into_iter()
+}

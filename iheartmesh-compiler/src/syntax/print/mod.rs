@@ -8,6 +8,8 @@ mod visible;
 
 use std::collections::BTreeSet;
 
+use unicode_normalization::char::is_combining_mark;
+
 use super::ast::*;
 use super::{letters, spelling};
 use expression::Tail;
@@ -256,12 +258,13 @@ fn is_keyword(text: &str) -> bool {
 }
 
 /// A word with its Greek letters spelt out, if no letter after them would run into their names.
-fn ascii_word(text: &str) -> String {
+pub(super) fn ascii_word(text: &str) -> String {
     let mut out = String::new();
     let mut letters = text.chars().peekable();
     while let Some(c) = letters.next() {
         let spelt = spelling::name_of(c).filter(|_| !c.is_ascii());
-        let runs_on = letters.peek().is_some_and(char::is_ascii_alphabetic);
+        let runs_on = |c: &char| c.is_ascii_alphabetic() || is_combining_mark(*c);
+        let runs_on = letters.peek().is_some_and(runs_on);
         match spelt {
             Some(_) if runs_on => return text.to_owned(),
             Some(name) => out += &format!("\\{name}"),

@@ -1,4 +1,6 @@
-//! `hlangc`: what a program becomes at each stage.
+//! `hlangc`: what a program becomes at each stage, and its canonical text.
+
+mod fmt;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -14,6 +16,7 @@ use iheartmesh_compiler::{
 
 const USAGE: &str = "\
 usage: hlangc [--emit STAGE] [--without PASS]... [--library FOLDER]... FILE.hlang
+       hlangc fmt [--ascii] [--check] [--library FOLDER]... FILE.hlang...
 
 Compiles a program and prints what it is at a stage:
   ast     the syntax tree
@@ -25,12 +28,14 @@ Compiles a program and prints what it is at a stage:
 
   --without PASS     leaves out an optimisation: traverse, inline, share, plan, fields, orbits, or all
   --library FOLDER   looks for imported modules in FOLDER as well; the standard ones are built in; the folder of the file and any
-                     `neighborhoods/src` above it or above the current folder are always looked at";
+                     `neighborhoods/src` above it or above the current folder are always looked at
+
+`hlangc fmt` writes the files in the canonical spelling and layout; `hlangc fmt --help` says more";
 
 /// The standard modules, for programs outside of this workspace.
 const STANDARD: &[(&str, &str)] = &[(
     "Neighborhoods",
-    include_str!("../../../neighborhoods/src/Neighborhoods.hlang"),
+    include_str!("../../../../neighborhoods/src/Neighborhoods.hlang"),
 )];
 
 struct Arguments {
@@ -41,6 +46,10 @@ struct Arguments {
 }
 
 fn main() -> ExitCode {
+    let mut words = std::env::args_os().skip(1);
+    if words.next().is_some_and(|word| word == "fmt") {
+        return fmt::main(words);
+    }
     let arguments = match arguments() {
         Ok(Some(arguments)) => arguments,
         Ok(None) => {
@@ -108,7 +117,7 @@ fn arguments() -> Result<Option<Arguments>, String> {
 
 fn run(arguments: &Arguments) -> Result<String, String> {
     let source = read(&arguments.file)?;
-    let libraries = libraries(&source, arguments)?;
+    let libraries = libraries(&source, &arguments.folders, arguments.file.parent())?;
     let stem = arguments
         .file
         .file_stem()
@@ -182,9 +191,13 @@ fn read(file: &Path) -> Result<Source, String> {
 }
 
 /// All modules that a text imports, directly or through others.
-fn libraries(source: &Source, arguments: &Arguments) -> Result<Vec<Library>, String> {
-    let mut folders = arguments.folders.clone();
-    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+fn libraries(
+    source: &Source,
+    folders: &[PathBuf],
+    folder: Option<&Path>,
+) -> Result<Vec<Library>, String> {
+    let mut folders = folders.to_vec();
+    let folder = folder.unwrap_or(Path::new(""));
     folders.push(folder.to_owned());
     for start in [folder, Path::new(".")] {
         let absolute = std::path::absolute(start).unwrap_or_default();
