@@ -394,6 +394,15 @@ impl<'a> Checker<'a> {
         heights: &[Dimension],
         widths: &[Vec<Dimension>],
     ) -> ExprId {
+        let any_sparse = cells
+            .iter()
+            .flatten()
+            .any(|cell| matches!(cell, Cell::Block(value, ..) if self.ty(*value).is_sparse()));
+        // what fills a sparse matrix with zeros must not store them
+        let filling = |rows, columns, zero: bool| match any_sparse && zero {
+            true => Type::sparse_matrix(rows, columns),
+            false => Type::real_matrix(rows, columns),
+        };
         let mut blocks = Vec::new();
         for (r, list) in cells.into_iter().enumerate() {
             let mut row = Vec::new();
@@ -406,11 +415,12 @@ impl<'a> Checker<'a> {
                         self.program.arena.real(value)
                     }
                     Cell::Filling(value) => {
+                        let zero = value == 0.0;
                         let value = self.program.arena.real(value);
                         match (self.size(&height), self.size(&width)) {
                             (Some(n), Some(m)) => self.add(
                                 Kind::Filled(value, vec![n, m]),
-                                Type::real_matrix(height, width),
+                                filling(height, width, zero),
                             ),
                             _ => {
                                 return self.unsupported(
@@ -430,9 +440,7 @@ impl<'a> Checker<'a> {
                             );
                         }
                         match self.size(&height) {
-                            Some(n) => {
-                                self.add(Kind::Identity(n), Type::real_matrix(height, width))
-                            }
+                            Some(n) => self.add(Kind::Identity(n), filling(height, width, true)),
                             None => {
                                 return self.unsupported(
                                     rows[r][k].span,
@@ -453,14 +461,7 @@ impl<'a> Checker<'a> {
         for width in widths.first().into_iter().flatten() {
             columns = columns.add(width).unwrap_or_else(|| self.new_dimension());
         }
-        let sparse = blocks.iter().flatten().any(|b| self.ty(*b).is_sparse());
-        let ty = Type::Matrix {
-            number: crate::types::Number::Real,
-            rows,
-            columns,
-            sparse,
-            spaces: None,
-        };
+        let ty = filling(rows, columns, true);
         let matrix = self.add(Kind::Blocks(blocks), ty);
         self.program.arena.note_origin(matrix, e.span);
         matrix

@@ -103,7 +103,8 @@ impl<'a> Checker<'a> {
 
     /// An operation of linear algebra with a dense or sparse real result.
     pub(super) fn real_unary(&mut self, op: Unary, value: ExprId, shape: Shape) -> ExprId {
-        let sparse = self.ty(value).is_sparse() && matches!(op, Unary::Transpose | Unary::Negate);
+        let sparse = self.ty(value).is_sparse()
+            && matches!(op, Unary::Transpose | Unary::Negate | Unary::Inverse);
         let value = self.real(value);
         let mut ty = shape.real();
         if sparse && let Type::Matrix { sparse, .. } | Type::Vector { sparse, .. } = &mut ty {
@@ -273,7 +274,11 @@ impl<'a> Checker<'a> {
                     let rows = n.multiply(&p).unwrap_or_else(|| self.new_dimension());
                     let columns = m.multiply(&q).unwrap_or_else(|| self.new_dimension());
                     let (a, b) = (self.real(a), self.real(b));
-                    self.add(Kind::Binary(Binary::Kronecker, a, b), Type::real_matrix(rows, columns))
+                    let ty = match ta.is_sparse() || tb.is_sparse() {
+                        true => Type::sparse_matrix(rows, columns),
+                        false => Type::real_matrix(rows, columns),
+                    };
+                    self.add(Kind::Binary(Binary::Kronecker, a, b), ty)
                 }
                 _ => self.mismatch(
                     sides,
@@ -312,6 +317,27 @@ impl<'a> Checker<'a> {
         self.report(diagnostic)
     }
 
+    /// An identity, or a multiple of one, as a sparse matrix; other matrices stay as they are.
+    fn sparse_identity(&mut self, e: ExprId) -> ExprId {
+        let Some(Shape::Matrix(n, m)) = self.ty(e).shape() else {
+            return e;
+        };
+        match *self.program.arena.kind(e) {
+            Kind::Identity(size) => self.add(Kind::Identity(size), Type::sparse_matrix(n, m)),
+            Kind::Binary(op @ Binary::Multiply, k, of) => {
+                let of = self.sparse_identity(of);
+                let ty = self.ty(of).clone();
+                self.add(Kind::Binary(op, k, of), ty)
+            }
+            Kind::Binary(op @ Binary::Divide, of, k) => {
+                let of = self.sparse_identity(of);
+                let ty = self.ty(of).clone();
+                self.add(Kind::Binary(op, of, k), ty)
+            }
+            _ => e,
+        }
+    }
+
     fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition) = match op {
@@ -327,6 +353,12 @@ impl<'a> Checker<'a> {
             _ if self.same_shape(&ta, &tb).is_some() => {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
                 let (a, b) = (self.shaped(a, &shape), self.shaped(b, &shape));
+                // an identity beside a sparse matrix is sparse
+                let (a, b) = match (ta.is_sparse(), tb.is_sparse()) {
+                    (true, false) => (a, self.sparse_identity(b)),
+                    (false, true) => (self.sparse_identity(a), b),
+                    _ => (a, b),
+                };
                 let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
                 let ty = match (ta.is_sparse(), tb.is_sparse()) {
                     (true, true) => ta,

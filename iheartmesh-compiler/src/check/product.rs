@@ -247,11 +247,13 @@ impl<'a> Checker<'a> {
                     );
                 }
                 let (a, b) = (self.real(a), self.real(b));
-                self.add_at(
-                    sides.e.span,
-                    Kind::Binary(Binary::Solve, a, b),
-                    right.real(),
-                )
+                let ty = match right {
+                    Shape::Matrix(n, m) if ta.is_sparse() && tb.is_sparse() => {
+                        Type::sparse_matrix(n, m)
+                    }
+                    right => right.real(),
+                };
+                self.add_at(sides.e.span, Kind::Binary(Binary::Solve, a, b), ty)
             }
             _ => self.mismatch(
                 sides,

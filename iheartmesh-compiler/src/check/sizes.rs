@@ -51,11 +51,12 @@ pub(super) fn fit(
     }
     if let (Some(a), Some(b)) = (parameter.shape(), argument.shape()) {
         if parameter.is_integer() && !argument.is_integer()
-            || parameter.is_sparse() != argument.is_sparse()
+            || parameter.is_sparse() && !argument.is_sparse()
         {
             return None;
         }
-        let promoted = parameter.is_integer() != argument.is_integer();
+        let promoted = parameter.is_integer() != argument.is_integer()
+            || parameter.is_sparse() != argument.is_sparse();
         let fit = match (a, b) {
             (Shape::Scalar, Shape::Scalar) => Fit::Exact,
             (Shape::Vector(n), Shape::Vector(m)) => fit_size(&n, &m, is_template, sizes)?,

@@ -124,6 +124,17 @@ impl Type {
         }
     }
 
+    /// A sparse real matrix.
+    pub fn sparse_matrix(rows: Dimension, columns: Dimension) -> Type {
+        Type::Matrix {
+            number: Number::Real,
+            rows,
+            columns,
+            sparse: true,
+            spaces: None,
+        }
+    }
+
     /// Number, vector or matrix, with its size; nothing for what else there is, chains and boundary matrices among it.
     pub fn shape(&self) -> Option<Shape> {
         match self {

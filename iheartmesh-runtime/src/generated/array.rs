@@ -40,6 +40,20 @@ pub trait Array {
     fn columns(&self) -> usize;
     /// An entry, from 0. Must be in range.
     fn entry(&self, row: usize, column: usize) -> Self::Item;
+
+    /// Whether entries that are 0 are left out where they can be.
+    const SPARSE: bool = false;
+
+    /// Calls `f` with the row, the column and the value of each entry, column by column; those that are not stored are
+    /// 0 and left out.
+    #[inline(always)]
+    fn each(&self, mut f: impl FnMut(usize, usize, Self::Item)) {
+        for column in 0..self.columns() {
+            for row in 0..self.rows() {
+                f(row, column, self.entry(row, column));
+            }
+        }
+    }
 }
 
 /// What can be made entry by entry.
@@ -247,6 +261,14 @@ impl Array for sprs::CsMat<f64> {
     }
     fn entry(&self, row: usize, column: usize) -> f64 {
         self.get(row, column).copied().unwrap_or(0.0)
+    }
+
+    const SPARSE: bool = true;
+
+    fn each(&self, mut f: impl FnMut(usize, usize, f64)) {
+        for (entry, (row, column)) in self {
+            f(row, column, *entry);
+        }
     }
 }
 

@@ -53,18 +53,18 @@ pub fn reshape<R: Build>(a: &impl Array<Item = R::Item>) -> R {
 
 /// Sum of the products of the entries.
 #[inline(always)]
-pub fn inner(a: &impl Array<Item = f64>, b: &impl Array<Item = f64>) -> f64 {
-    fold(a, 0.0, |sum, i, j, x| sum + x * b.entry(i, j))
+pub fn inner<A: Array<Item = f64>, B: Array<Item = f64>>(a: &A, b: &B) -> f64 {
+    match B::SPARSE && !A::SPARSE {
+        true => fold(b, 0.0, |sum, i, j, x| sum + a.entry(i, j) * x),
+        false => fold(a, 0.0, |sum, i, j, x| sum + x * b.entry(i, j)),
+    }
 }
 
+/// Over the entries; those that a sparse matrix does not store are left out.
 #[inline(always)]
-fn fold<A: Array, T>(a: &A, start: T, f: impl Fn(T, usize, usize, A::Item) -> T) -> T {
+fn fold<A: Array, T: Copy>(a: &A, start: T, f: impl Fn(T, usize, usize, A::Item) -> T) -> T {
     let mut value = start;
-    for j in 0..a.columns() {
-        for i in 0..a.rows() {
-            value = f(value, i, j, a.entry(i, j));
-        }
-    }
+    a.each(|i, j, entry| value = f(value, i, j, entry));
     value
 }
 
@@ -255,10 +255,15 @@ fn extreme<A: Array>(
     better: impl Fn(A::Item, A::Item) -> bool,
     fault: Fault,
 ) -> Fallible<A::Item> {
-    let best = fold(a, None, |best: Option<A::Item>, _, _, x| match best {
-        Some(b) if !better(x, b) => Some(b),
-        _ => Some(x),
-    });
+    let mut best: Option<A::Item> = None;
+    for j in 0..a.columns() {
+        for i in 0..a.rows() {
+            let entry = a.entry(i, j);
+            if best.is_none_or(|best| better(entry, best)) {
+                best = Some(entry);
+            }
+        }
+    }
     best.ok_or(fault)
 }
 

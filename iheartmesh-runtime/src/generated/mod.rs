@@ -11,6 +11,7 @@ mod linear;
 mod local;
 mod orbit;
 mod sparse;
+mod sparse_lu;
 mod table;
 mod touch;
 

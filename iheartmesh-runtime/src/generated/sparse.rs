@@ -22,14 +22,7 @@ pub fn sparse_zeros(rows: usize, columns: usize) -> CsMat<f64> {
 /// A matrix with the entries other than 0 stored.
 pub fn sparse(a: &impl Array<Item = f64>) -> CsMat<f64> {
     let mut triplets = TriMat::new((a.rows(), a.columns()));
-    for j in 0..a.columns() {
-        for i in 0..a.rows() {
-            let entry = a.entry(i, j);
-            if entry != 0.0 {
-                triplets.add_triplet(i, j, entry);
-            }
-        }
-    }
+    put_sparse(&mut triplets, 0, 0, a);
     triplets.to_csc()
 }
 
@@ -48,4 +41,61 @@ pub fn sparse_product<R: Build<Item = f64>>(a: &CsMat<f64>, b: &impl Array<Item 
 /// The transpose in compressed columns.
 pub fn sparse_transpose(a: &CsMat<f64>) -> CsMat<f64> {
     a.transpose_view().to_csc()
+}
+
+/// A matrix to which blocks are added by [`put_sparse`].
+pub fn sparse_blocks(rows: usize, columns: usize) -> TriMat<f64> {
+    TriMat::new((rows, columns))
+}
+
+/// Adds the entries of a block that are not 0; the matrix is large enough.
+pub fn put_sparse(
+    matrix: &mut TriMat<f64>,
+    row: usize,
+    column: usize,
+    block: &impl Array<Item = f64>,
+) {
+    block.each(|i, j, entry| {
+        if entry != 0.0 {
+            matrix.add_triplet(row + i, column + j, entry);
+        }
+    });
+}
+
+/// The identity.
+pub fn sparse_identity(n: usize) -> CsMat<f64> {
+    CsMat::eye_csc(n)
+}
+
+/// A matrix without entries other than 0.
+pub fn sparse_zeros(rows: usize, columns: usize) -> CsMat<f64> {
+    CsMat::zero((rows, columns)).into_csc()
+}
+
+/// The product of a dense matrix and a sparse one.
+pub fn product_sparse<R: Build<Item = f64>>(a: &impl Array<Item = f64>, b: &CsMat<f64>) -> R {
+    let mut all = R::zeros(a.rows(), b.cols());
+    for (value, (k, j)) in b {
+        for i in 0..a.rows() {
+            let entry = all.entry(i, j) + a.entry(i, k) * value;
+            all.set(i, j, entry);
+        }
+    }
+    all
+}
+
+/// The Kronecker product, where one is sparse at least.
+pub fn sparse_kronecker(a: &impl Array<Item = f64>, b: &impl Array<Item = f64>) -> CsMat<f64> {
+    let (p, q) = (b.rows(), b.columns());
+    let mut triplets = TriMat::new((a.rows() * p, a.columns() * q));
+    a.each(|i, j, x| {
+        if x != 0.0 {
+            b.each(|k, l, y| {
+                if y != 0.0 {
+                    triplets.add_triplet(i * p + k, j * q + l, x * y);
+                }
+            });
+        }
+    });
+    triplets.to_csc()
 }

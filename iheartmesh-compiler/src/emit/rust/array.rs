@@ -99,6 +99,10 @@ impl Body<'_> {
                 quote!(rt::column::<#ty>(#a, #i, #site)?)
             }
             Kind::Blocks(rows) => self.blocks(e, rows),
+            Kind::Filled(_, sizes) if self.ty(e).is_sparse() => {
+                let sizes = sizes.iter().map(|s| self.owned(*s));
+                quote!(rt::sparse_zeros(#(rt::size(#sizes)),*))
+            }
             Kind::Filled(value, sizes) => {
                 let ty = inner();
                 let value = self.owned(*value);
@@ -106,6 +110,10 @@ impl Body<'_> {
                 let columns = sizes.get(1).cloned().unwrap_or(quote!(1i64));
                 let rows = &sizes[0];
                 quote!(<#ty as rt::Build>::build(rt::size(#rows), rt::size(#columns), |_, _| #value))
+            }
+            Kind::Identity(n) if self.ty(e).is_sparse() => {
+                let n = self.owned(*n);
+                quote!(rt::sparse_identity(rt::size(#n)))
             }
             Kind::Identity(n) => {
                 let ty = inner();
@@ -162,18 +170,26 @@ impl Body<'_> {
         }
     }
 
+    fn dynamic_matrix(&self) -> TokenStream {
+        let krate = self.context.krate;
+        quote!(#krate::nalgebra::DMatrix<f64>)
+    }
+
     fn blocks(&mut self, e: ExprId, rows: &[Vec<ExprId>]) -> TokenStream {
-        let sparse = self.ty(e).is_sparse();
-        let dense = match self.ty(e) {
-            Type::Matrix { rows, columns, .. } => Type::real_matrix(rows.clone(), columns.clone()),
-            other => other.clone(),
-        };
-        let ty = match sparse {
-            true => {
-                let krate = self.context.krate;
-                quote!(#krate::nalgebra::DMatrix<f64>)
+        let (start, put, finish) = match self.ty(e).is_sparse() {
+            true => (
+                quote!(rt::sparse_blocks),
+                quote!(rt::put_sparse),
+                quote!(all.to_csc()),
+            ),
+            false => {
+                let ty = self.context.inner_type(self.ty(e));
+                (
+                    quote!(<#ty as rt::Build>::zeros),
+                    quote!(rt::put),
+                    quote!(all),
+                )
             }
-            false => self.context.inner_type(&dense),
         };
         // each block has a name, so that sizes are known before any is put in place
         let mut lets = TokenStream::new();
@@ -202,7 +218,7 @@ impl Body<'_> {
             puts.extend(quote!(let mut column = 0usize;));
             for name in row {
                 puts.extend(quote! {
-                    rt::put(&mut all, row, column, #name);
+                    #put(&mut all, row, column, #name);
                     column += rt::Array::columns(#name);
                 });
             }
@@ -210,13 +226,9 @@ impl Body<'_> {
                 puts.extend(quote!(row += rt::Array::rows(#first);));
             }
         }
-        let finish = match sparse {
-            true => quote!(rt::sparse(&all)),
-            false => quote!(all),
-        };
         quote!({
             #lets
-            let mut all = <#ty as rt::Build>::zeros(0usize #(+ #heights)*, 0usize #(+ #widths)*);
+            let mut all = #start(0usize #(+ #heights)*, 0usize #(+ #widths)*);
             let mut row = 0usize;
             #puts
             #finish
@@ -257,6 +269,10 @@ impl Body<'_> {
             Unary::NormNuclear => quote!(rt::norm_nuclear(#a)),
             Unary::Transpose if sparse => quote!(rt::sparse_transpose(#a)),
             Unary::Transpose => quote!(rt::transpose::<#ty>(#a)),
+            Unary::Inverse if self.ty(e).is_sparse() => {
+                let dense = self.dynamic_matrix();
+                quote!(rt::sparse(&rt::inverse::<#dense>(#a, #site)?))
+            }
             Unary::Inverse => quote!(rt::inverse::<#ty>(#a, #site)?),
             Unary::PseudoInverse => quote!(rt::pseudo_inverse::<#ty>(#a)),
             Unary::Determinant => quote!(rt::determinant(#a)),
@@ -285,6 +301,7 @@ impl Body<'_> {
             Unary::Greatest => quote!(rt::greatest(#a, #site)?),
             Unary::PositivePart => quote!(rt::with_eigenvalues::<#ty>(#a, |value| value.max(0.0))),
             Unary::AbsolutePart => quote!(rt::with_eigenvalues::<#ty>(#a, f64::abs)),
+            Unary::Reshape if self.ty(e).is_sparse() => quote!(rt::sparse(#a)),
             Unary::Reshape => quote!(rt::reshape::<#ty>(#a)),
             Unary::Absolute | Unary::SquareRoot | Unary::ToInteger => {
                 panic!("bug in iheartmesh: {op:?} of an array")
@@ -348,10 +365,16 @@ impl Body<'_> {
             Binary::Product if sparse_a && sparse_b => quote!((#a * #b)),
             Binary::Product if sparse_a => quote!(rt::sparse_product::<#ty>(#a, #b)),
             Binary::Product if dynamic && !sparse_b => quote!((#a * #b)),
+            Binary::Product if sparse_b => quote!(rt::product_sparse::<#ty>(#a, #b)),
             Binary::Product => quote!(rt::product::<#ty>(#a, #b)),
             Binary::Hadamard => quote!(rt::zip::<#ty>(#a, #b, |x, y| x * y)),
             Binary::Dot | Binary::Frobenius => quote!(rt::inner(#a, #b)),
+            Binary::Kronecker if self.ty(e).is_sparse() => quote!(rt::sparse_kronecker(#a, #b)),
             Binary::Kronecker => quote!(rt::kronecker::<#ty>(#a, #b)),
+            Binary::Solve if self.ty(e).is_sparse() => {
+                let dense = self.dynamic_matrix();
+                quote!(rt::sparse(&rt::solve::<#dense>(#a, #b, #site)?))
+            }
             Binary::Solve => quote!(rt::solve::<#ty>(#a, #b, #site)?),
             Binary::NormWeighted => quote!(rt::norm_weighted(#a, #b)),
             Binary::Unstack if sequence => quote!(rt::unstack_items(&(#a)[..], #b, #site)?),
