@@ -56,6 +56,21 @@ pub enum Error {
         /// Number of members of the set.
         size: usize,
     },
+    /// A parameter has an index in it for which there is nothing.
+    OutOfRange {
+        /// The parameter.
+        parameter: String,
+        /// The item of the parameter with the index in it.
+        entry: String,
+        /// The index.
+        index: i64,
+        /// What it counts, such as ``rows of `K` ``.
+        what: String,
+        /// The index of the first.
+        first: i64,
+        /// How many there are.
+        size: i64,
+    },
     /// A function or definition has no value: something that its formula needs does not exist.
     Undefined {
         /// The function with its arguments.
@@ -123,6 +138,27 @@ impl fmt::Display for Error {
                         f,
                         "parameter `{parameter}` of `{function}` is {element}, which is not in `{set}` ({size} members)"
                     )
+                }
+            }
+            Error::OutOfRange {
+                parameter,
+                entry,
+                index,
+                what,
+                first,
+                size,
+            } => {
+                write!(
+                    f,
+                    "`{parameter}` has the entry {entry}, but {index} is none of the {size} {what}"
+                )?;
+                match *size > 0 {
+                    true => write!(
+                        f,
+                        ": they are numbered from {first} to {}",
+                        first + size - 1
+                    ),
+                    false => Ok(()),
                 }
             }
             Error::Undefined { call, reason } => write!(f, "`{call}` has no value: {reason}"),

@@ -38,7 +38,8 @@ macro_rules! ordered_set_item {
     )*};
 }
 
-ordered_set_item!(Vertex, Edge, Face, Cell, i64);
+// elements are their numbers, `u32`, in generated code
+ordered_set_item!(Vertex, Edge, Face, Cell, i64, u32);
 
 impl SetItem for f64 {
     #[inline]

@@ -23,6 +23,7 @@ impl Checker<'_> {
                 })
                 .flatten()
                 .flat_map(|d| d.targets.iter().map(move |t| (t, d)))
+                .filter(|(target, _)| !module.declared.contains_key(&target.name.text))
                 .enumerate()
                 .filter(|(_, (target, _))| target.subscript.is_none())
                 .map(|(k, (target, d))| (k, &target.name, &d.ty))

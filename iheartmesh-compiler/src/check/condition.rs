@@ -86,12 +86,26 @@ impl<'a> Checker<'a> {
         self.add(Kind::Compare(op, a, b), Type::Boolean)
     }
 
+    /// A tuple of values; that of all items of a tuple is the tuple.
+    fn tuple_of(&mut self, items: Vec<ExprId>, ty: Type) -> ExprId {
+        if let Some(Kind::Project(whole, 0)) = items.first().map(|i| self.program.arena.kind(*i)) {
+            let whole = *whole;
+            let is_item = |(k, item): (usize, &ExprId)| {
+                *self.program.arena.kind(*item) == Kind::Project(whole, k as u32)
+            };
+            if *self.ty(whole) == ty && items.iter().enumerate().all(is_item) {
+                return whole;
+            }
+        }
+        self.add(Kind::Tuple(items), ty)
+    }
+
     fn member(&mut self, condition: &'a Condition, item: &'a Expr, set: &'a Expr) -> ExprId {
         let value = match &item.kind {
             ExprKind::Vector(items) => {
                 let items: Vec<ExprId> = items.iter().map(|i| self.expr(i)).collect();
                 let types = items.iter().map(|i| self.ty(*i).clone()).collect();
-                self.add(Kind::Tuple(items), Type::Tuple(types))
+                self.tuple_of(items, Type::Tuple(types))
             }
             _ => self.expr(item),
         };

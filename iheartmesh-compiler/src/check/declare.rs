@@ -36,7 +36,10 @@ impl Checker<'_> {
         for (item, syntax) in module.syntax.items.iter().enumerate() {
             if let ItemKind::Parameters(block) = &syntax.kind {
                 for (d, declaration) in block.iter().enumerate() {
-                    for target in 0..declaration.targets.len() {
+                    for (target, t) in declaration.targets.iter().enumerate() {
+                        if module.declared.contains_key(&t.name.text) {
+                            continue;
+                        }
                         places.push(((item, d, target), declaration));
                     }
                 }
@@ -66,10 +69,8 @@ impl Checker<'_> {
         let order: Vec<InputId> = places
             .iter()
             .filter_map(|(place, _)| {
-                match self.inputs.get(place).map(|e| self.program.arena.kind(*e)) {
-                    Some(Kind::Input(id)) => Some(*id),
-                    _ => None,
-                }
+                let value = self.inputs.get(place)?;
+                self.input_of(*value).map(|(id, _)| id)
             })
             .collect();
         self.program.input_order = order;
@@ -116,27 +117,28 @@ impl Checker<'_> {
             ty: declared.ty.clone(),
             within: declared.within,
             indexed_by: Vec::new(),
+            pairs: Vec::new(),
             description: declaration.description.clone(),
             span: target.name.span,
         });
         let value = self.add(Kind::Input(id), declared.ty);
+        let value = self.counted(declaration, &target.name.text, value);
         self.inputs.insert(place, value);
     }
 
     /// The type that a declaration gives to one of its targets.
     pub(super) fn declared(&mut self, declaration: &Declaration, target: usize) -> Declared {
-        if let Some((_, span)) = declaration.attribute {
-            self.unsupported(span, "attributes of declarations are");
-            return Declared::plain(Type::Error);
-        }
         if let TypeKind::Named(set) = &declaration.ty.kind {
-            return self.declared_by_set(declaration, set);
+            let declared = self.declared_by_set(declaration, set);
+            self.with_attribute(declaration, declared.ty.clone());
+            return declared;
         }
         if declaration.relation == Relation::Subset {
             self.no_subset(declaration);
             return Declared::plain(Type::Error);
         }
         let ty = self.written_type(&declaration.ty);
+        let ty = self.with_attribute(declaration, ty);
         let Some(letter) = &declaration.targets[target].subscript else {
             return Declared::plain(ty);
         };
@@ -356,7 +358,7 @@ impl Checker<'_> {
     }
 
     /// The mesh of an element set that is declared by its kind alone.
-    fn only_mesh(&mut self, span: crate::span::Span) -> Option<MeshId> {
+    pub(super) fn only_mesh(&mut self, span: crate::span::Span) -> Option<MeshId> {
         if self.program.meshes.len() == 1 {
             return Some(MeshId(0));
         }
@@ -365,6 +367,20 @@ impl Checker<'_> {
                 .help("write `S ⊂ V` with the `V` of `V, E, F = ElementSets(M)`"),
         );
         None
+    }
+
+    /// The number of all elements of a kind.
+    fn number_of(&mut self, set: &Expr) -> Option<Dimension> {
+        let ExprKind::Name(name) = &set.kind else {
+            return None;
+        };
+        match self.find(name) {
+            Found::Value(value) => match self.program.arena.kind(value) {
+                Kind::AllElements(element) => Some(Dimension::atom(Atom::Count(*element))),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     /// A size as it is written.
@@ -384,6 +400,15 @@ impl Checker<'_> {
                 let (left, right) = (self.dimension(left), self.dimension(right));
                 arithmetic(left, *op, right)
             }
+            ExprKind::Unary {
+                op: UnaryOp::Size,
+                operand,
+            } => self.number_of(operand),
+            ExprKind::Norm {
+                double: false,
+                operand,
+                subscript: None,
+            } => self.number_of(operand),
             ExprKind::Unary {
                 op: UnaryOp::Negate,
                 operand,

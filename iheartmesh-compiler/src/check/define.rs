@@ -27,21 +27,14 @@ impl<'a> Checker<'a> {
             None => {}
         }
         self.definitions.insert((module, item), Definition::Open);
-        if let Some(target) = definition
-            .targets
-            .iter()
-            .find(|t| !t.subscripts.is_empty() && !self.is_first(module, item, &t.name.text))
-        {
-            let error = self.unsupported(
-                target.name.span,
-                "entries of what is declared or defined elsewhere are",
-            );
-            let values = vec![error; definition.targets.len()];
-            self.definitions
-                .insert((module, item), Definition::Done(values.clone()));
-            return values;
-        }
-        let mut values = self.in_module(module, |checker| checker.definition_values(definition));
+        let parts = match definition.targets.as_slice() {
+            [target] => self.parts(module, item, &target.name.text),
+            _ => None,
+        };
+        let mut values = self.in_module(module, |checker| match &parts {
+            Some(parts) => vec![checker.by_parts(module, parts)],
+            None => checker.definition_values(definition),
+        });
         for (value, target) in values.iter_mut().zip(&definition.targets) {
             *value = self.named(&target.name.text, *value, syntax.span);
         }
@@ -50,21 +43,8 @@ impl<'a> Checker<'a> {
         values
     }
 
-    /// Whether a definition is the one that its symbol stands for.
-    fn is_first(&self, module: ModuleId, item: usize, name: &str) -> bool {
-        let symbol = self.resolved.module(module).symbols.get(name);
-        symbol.is_none_or(|symbol| {
-            symbol.meanings.iter().any(|meaning| match meaning {
-                crate::resolve::Meaning::Definition { item: first, .. } => *first == item,
-                // two definitions of one name have been reported
-                crate::resolve::Meaning::Parameter { .. } => false,
-                _ => true,
-            })
-        })
-    }
-
     /// The value of a definition by its name, so that it is computed once; what costs nothing stays as it is.
-    fn named(&mut self, name: &str, value: ExprId, span: Span) -> ExprId {
+    pub(super) fn named(&mut self, name: &str, value: ExprId, span: Span) -> ExprId {
         let costs_nothing = matches!(
             self.program.arena.kind(value),
             Kind::AllElements(_)
@@ -92,7 +72,11 @@ impl<'a> Checker<'a> {
     pub(super) fn definition_values(&mut self, definition: &'a ast::Definition) -> Vec<ExprId> {
         let n = definition.targets.len();
         if definition.add {
-            let error = self.unsupported(definition.span, "definitions with `+=` are");
+            let message = "only definitions of a module can be added to";
+            let error = self.report(
+                Diagnostic::error(definition.span, message)
+                    .help("write `y = … + …`, or define it on a line of its own"),
+            );
             return vec![error; n];
         }
         if definition.targets.iter().any(|t| !t.subscripts.is_empty()) {
@@ -103,7 +87,7 @@ impl<'a> Checker<'a> {
                 );
                 return vec![error; n];
             }
-            return vec![self.elementwise(definition)];
+            return vec![self.entries(definition, None, None)];
         }
         let value = self.expr(&definition.value);
         if n == 1 {

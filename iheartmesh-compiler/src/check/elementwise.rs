@@ -4,7 +4,7 @@ use super::scope::{Binding, Scope};
 use super::{Checker, IndexUse};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Layout, VariableId};
-use crate::syntax::ast::{self, Expr, ExprKind, Name, Subscript};
+use crate::syntax::ast::{self, Expr, Name, Subscript};
 use crate::types::{Dimension, Shape, Type};
 
 impl<'a> Checker<'a> {
@@ -17,8 +17,12 @@ impl<'a> Checker<'a> {
 
     /// Notes that an index stands alone as a subscript.
     pub(super) fn note_index_use(&mut self, index: (&'a Expr, ExprId), base: ExprId, axis: u8) {
-        let Kind::Variable(variable) = *self.program.arena.kind(index.1) else {
-            return;
+        let variable = match (
+            self.program.arena.kind(index.1),
+            self.index_items.get(&index.1),
+        ) {
+            (Kind::Variable(variable), _) | (_, Some(variable)) => *variable,
+            _ => return,
         };
         if !self.index_uses.contains_key(&variable) {
             return;
@@ -113,39 +117,70 @@ impl<'a> Checker<'a> {
             })
     }
 
-    /// `y_i = …`, `A_ij = …`, `A_i,* = …`, `D_ii = …`.
-    pub(super) fn elementwise(&mut self, definition: &'a ast::Definition) -> ExprId {
+    /// Notes how far an index runs on the left side of a definition whose type is known.
+    pub(super) fn note_left_index(
+        &mut self,
+        variable: VariableId,
+        name: &Name,
+        ty: &Type,
+        axis: usize,
+    ) {
+        let (dimension, of_sequence) = match (ty, axis) {
+            (Type::Sequence { length, .. }, _) => (length.clone(), true),
+            (Type::Vector { length, .. }, _) => (length.clone(), false),
+            (Type::Matrix { rows, .. }, 0) => (rows.clone(), false),
+            (Type::Matrix { columns, .. }, _) => (columns.clone(), false),
+            _ => return,
+        };
+        let Some(size) = self.size(&dimension) else {
+            return;
+        };
+        let shown = match (ty, axis) {
+            (Type::Matrix { .. }, 0) => format!("the rows of {ty}"),
+            (Type::Matrix { .. }, _) => format!("the columns of {ty}"),
+            _ => ty.described(),
+        };
+        self.index_uses.entry(variable).or_default().push(IndexUse {
+            size,
+            dimension,
+            of_sequence,
+            span: name.span,
+            shown,
+        });
+    }
+
+    /// `y_i = …`, `A_ij = …`, `A_i,* = …`, `D_ii = …`; of a type that is declared or that the lines above give.
+    pub(super) fn elementwise(
+        &mut self,
+        definition: &'a ast::Definition,
+        names: &[(usize, &'a Name)],
+        ty: Option<&Type>,
+    ) -> ExprId {
         let left = &definition.targets[0];
-        let mut names: Vec<&'a Name> = Vec::new();
-        let mut slice = None;
-        for (position, subscript) in left.subscripts.iter().enumerate() {
-            match subscript {
-                Subscript::Expr(Expr {
-                    kind: ExprKind::Name(name),
-                    ..
-                }) => names.push(name),
-                Subscript::All(_) => slice = Some(position),
-                Subscript::Expr(other) => {
-                    return self.unsupported(other.span, "definitions of single entries are");
-                }
-            }
-        }
-        let diagonal = names.len() == 2 && names[0].text == names[1].text;
-        if diagonal {
-            names.pop();
-        }
-        if names.is_empty() || names.len() > 2 || (slice.is_some() && names.len() != 1) {
+        let slice = left
+            .subscripts
+            .iter()
+            .position(|s| matches!(s, Subscript::All(_)));
+        let diagonal = matches!(names, [(_, first), (_, second)] if first.text == second.text);
+        let distinct = if diagonal { &names[..1] } else { names };
+        if names.len() > 2 || (slice.is_some() && names.len() != 1) {
             return self.unsupported(definition.span, "this element-wise definition is");
         }
         let mut scope = Scope::default();
-        let variables: Vec<VariableId> = names
+        let variables: Vec<VariableId> = distinct
             .iter()
-            .map(|name| self.bind_index(&mut scope, name))
+            .map(|(_, name)| self.bind_index(&mut scope, name))
             .collect();
+        if let Some(ty) = ty {
+            for (k, (axis, name)) in names.iter().enumerate() {
+                let variable = variables[k.min(variables.len() - 1)];
+                self.note_left_index(variable, name, ty, *axis);
+            }
+        }
         let body = self.with_scope(scope, |checker| checker.expr(&definition.value));
         let mut ranges = Vec::new();
         let mut failed = self.is_error(body);
-        for (variable, name) in variables.iter().zip(&names) {
+        for (variable, (_, name)) in variables.iter().zip(distinct) {
             if failed {
                 self.index_uses.remove(variable);
                 continue;
@@ -158,36 +193,41 @@ impl<'a> Checker<'a> {
         if failed {
             return self.error();
         }
-        self.tabulate(definition, variables, ranges, body, slice, diagonal)
+        self.tabulate(definition, variables, ranges, body, slice, (diagonal, ty))
+    }
+
+    fn sequence_of_reals(&self, ty: Option<&Type>) -> bool {
+        matches!(ty, Some(Type::Sequence { item, .. }) if **item == Type::REAL)
     }
 
     fn tabulate(
         &mut self,
-        definition: &ast::Definition,
+        definition: &'a ast::Definition,
         variables: Vec<VariableId>,
         ranges: Vec<(Dimension, ExprId)>,
         body: ExprId,
         slice: Option<usize>,
-        diagonal: bool,
+        (diagonal, known): (bool, Option<&Type>),
     ) -> ExprId {
         let ty = self.ty(body).clone();
         let (dimensions, sizes): (Vec<Dimension>, Vec<ExprId>) = ranges.into_iter().unzip();
         let first = dimensions[0].clone();
+        let sequence = matches!(known, Some(Type::Sequence { .. }));
+        let sparse = known.is_some_and(Type::is_sparse);
         let (layout, result, body) = match (ty.shape(), variables.len(), slice) {
             (Some(Shape::Scalar), 1, None) if diagonal => (
                 Layout::Diagonal,
-                Type::Matrix {
-                    number: crate::types::Number::Real,
-                    rows: first.clone(),
-                    columns: first,
-                    sparse: true,
-                    spaces: None,
-                },
+                Type::sparse_matrix(first.clone(), first),
                 self.real(body),
             ),
-            (Some(Shape::Scalar), 1, None) => {
+            (Some(Shape::Scalar), 1, None) if !sequence => {
                 (Layout::Vector, Type::real_vector(first), self.real(body))
             }
+            (Some(Shape::Scalar), 2, None) if sparse => (
+                Layout::Sparse,
+                Type::sparse_matrix(first, dimensions[1].clone()),
+                self.real(body),
+            ),
             (Some(Shape::Scalar), 2, None) => (
                 Layout::Matrix,
                 Type::real_matrix(first, dimensions[1].clone()),
@@ -199,6 +239,15 @@ impl<'a> Checker<'a> {
             (Some(Shape::Vector(n)), 1, Some(0)) => (
                 Layout::Columns,
                 Type::real_matrix(n, first),
+                self.real(body),
+            ),
+            (Some(Shape::Scalar), 1, None) if self.sequence_of_reals(known) => (
+                Layout::Sequence,
+                Type::Sequence {
+                    item: Box::new(Type::REAL),
+                    length: first,
+                    index: None,
+                },
                 self.real(body),
             ),
             (_, 1, None) if !diagonal && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (

@@ -119,7 +119,10 @@ impl<'a> Checker<'a> {
                     Some((declaration, target))
                 });
                 let declared = match place {
-                    Some((declaration, target)) => self.declared(declaration, target),
+                    Some((declaration, target)) => {
+                        self.no_index(declaration);
+                        self.declared(declaration, target)
+                    }
                     None => {
                         // the name in the declaration may be misspelt; what could not be read may declare it
                         let misspelt = strange && missing.len() == 1;

@@ -5,12 +5,14 @@
 //! message. **Invariant:** when no error was reported, later stages meet no mistake of the user any more.
 
 mod arguments;
+mod attribute;
 mod builtin;
 mod call;
 mod condition;
 mod declare;
 mod define;
 mod elementwise;
+mod entries;
 mod expr;
 mod fold;
 mod function;
@@ -21,7 +23,9 @@ mod operator;
 mod product;
 mod scope;
 mod set;
+mod single;
 mod sizes;
+mod sparse;
 mod subscript;
 mod wording;
 
@@ -54,6 +58,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         recursive: Vec::new(),
         templates: BTreeMap::new(),
         index_uses: BTreeMap::new(),
+        index_items: BTreeMap::new(),
+        given: BTreeSet::new(),
         n_dynamic: 0,
         circular: false,
         misfits: BTreeSet::new(),
@@ -101,6 +107,10 @@ struct Checker<'a> {
     templates: BTreeMap<String, ExprId>,
     /// For indices whose range follows from their use: where they index, with the size there.
     index_uses: BTreeMap<VariableId, Vec<IndexUse>>,
+    /// Indices that are items of a pair, with the variables under which their uses are noted.
+    index_items: BTreeMap<ExprId, VariableId>,
+    /// Symbols of sizes that parameters give.
+    given: BTreeSet<String>,
     n_dynamic: u32,
 }
 
@@ -171,6 +181,12 @@ impl<'a> Checker<'a> {
                     let function = self.function(ModuleId(0), index);
                     self.program.exports.push(Export::Function(function));
                 }
+                // its value has what the first one of this name adds up to
+                ItemKind::Definition(definition)
+                    if definition.targets.iter().any(|t| {
+                        let further = module.further.get(&t.name.text);
+                        further.is_some_and(|items| items.contains(&index))
+                    }) => {}
                 ItemKind::Definition(definition) => {
                     let values = self.definition(ModuleId(0), index);
                     for (target, value) in definition.targets.iter().zip(values) {

@@ -338,17 +338,20 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+    /// The sum or difference of numbers, vectors or matrices; nothing where they do not fit.
+    pub(super) fn sum_of(
+        &mut self,
+        span: Span,
+        op: Binary,
+        a: ExprId,
+        b: ExprId,
+    ) -> Option<ExprId> {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
-        let (verb, preposition) = match op {
-            Binary::Add => ("add", "and"),
-            _ => ("subtract", "from"),
-        };
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
                 let (a, b) = self.common(a, b);
                 let ty = self.ty(a).clone();
-                self.add_at(sides.e.span, Kind::Binary(op, a, b), ty)
+                Some(self.add_at(span, Kind::Binary(op, a, b), ty))
             }
             _ if self.same_shape(&ta, &tb).is_some() => {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);
@@ -367,8 +370,22 @@ impl<'a> Checker<'a> {
                     _ => shape.real(),
                 };
                 let (a, b) = (self.represented(a, &ty), self.represented(b, &ty));
-                self.add_at(sides.e.span, Kind::Binary(op, a, b), ty)
+                Some(self.add_at(span, Kind::Binary(op, a, b), ty))
             }
+            _ => None,
+        }
+    }
+
+    fn sum(&mut self, sides: Sides<'a>, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let (verb, preposition) = match op {
+            Binary::Add => ("add", "and"),
+            _ => ("subtract", "from"),
+        };
+        if let Some(sum) = self.sum_of(sides.e.span, op, a, b) {
+            return sum;
+        }
+        match (&ta, &tb) {
             (Type::Element(_), _) | (_, Type::Element(_)) => {
                 self.mismatch(sides, verb, preposition, &ta, &tb, NOT_NUMBERS)
             }

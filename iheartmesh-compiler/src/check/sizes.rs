@@ -179,6 +179,7 @@ impl Checker<'_> {
         for (ty, span) in places {
             self.report_sizes(&ty, span, &mut given);
         }
+        self.given = given;
     }
 
     /// Reports symbols in the sizes of a type that are not `given`, each once.

@@ -338,7 +338,7 @@ impl<'a> Checker<'a> {
         self.is_integer(index, what).then_some(index)
     }
 
-    fn is_integer(&mut self, index: (&'a Expr, ExprId), what: &str) -> bool {
+    pub(super) fn is_integer(&mut self, index: (&'a Expr, ExprId), what: &str) -> bool {
         let ty = self.ty(index.1).clone();
         if ty == Type::INTEGER {
             return true;

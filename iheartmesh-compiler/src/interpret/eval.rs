@@ -132,6 +132,14 @@ impl<'a> Interpreter<'a> {
                 sizes,
                 body,
             } => self.tabulate(scope, e, *layout, variables, sizes, *body)?,
+            Kind::Scatter {
+                variable,
+                set,
+                sizes,
+                place,
+                body,
+            } => self.scatter(scope, e, (*variable, *set), *sizes, *place, *body)?,
+            Kind::Update(base, entries) => self.update(scope, e, *base, entries)?,
             Kind::Sequence(items) => Value::Sequence(self.list(scope, items)?),
             Kind::SequenceOf(set) => Value::Sequence(self.members(scope, *set)?),
             Kind::HostCall(function, arguments) => match self.eval(scope, *function)? {

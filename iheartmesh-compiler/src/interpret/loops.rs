@@ -138,7 +138,7 @@ impl<'a> Interpreter<'a> {
         }
         Ok(match layout {
             Layout::Sequence => Value::Sequence(values),
-            Layout::Vector | Layout::Matrix => {
+            Layout::Vector | Layout::Matrix | Layout::Sparse => {
                 numbers(ty, sizes[0], columns, |i, j| &values[i * columns + j])
             }
             Layout::Diagonal => {

@@ -15,6 +15,7 @@
 
 mod arguments;
 mod array;
+mod entries;
 mod eval;
 mod factor;
 mod loops;

@@ -47,6 +47,19 @@ impl Value {
         Value::Set(members)
     }
 
+    /// The value with each integer in it plus one.
+    pub(super) fn counted(self) -> Self {
+        let all = |items: Vec<Value>| items.into_iter().map(Value::counted).collect();
+        match self {
+            Value::Integer(k) => Value::Integer(k.saturating_add(1)),
+            Value::Integers(a) => Value::Integers(a.map(|k| k.saturating_add(1))),
+            Value::Sequence(items) => Value::Sequence(all(items)),
+            Value::Tuple(items) => Value::Tuple(all(items)),
+            Value::Set(members) => Value::set(all(members)),
+            other => other,
+        }
+    }
+
     /// The form in which a set stores it: −0 is 0.
     fn normalised(self) -> Self {
         match self {

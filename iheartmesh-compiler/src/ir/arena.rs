@@ -147,6 +147,10 @@ impl Arena {
         if let Kind::Tabulate { variables, .. } = kind {
             free.retain(|v| !variables.contains(v));
         }
+        if let Kind::Scatter { variable, set, .. } = kind {
+            free.retain(|v| v != variable);
+            debug_assert!(!self.depends_on(*set, *variable));
+        }
         free.sort_unstable();
         free.dedup();
         free.into()
@@ -187,6 +191,25 @@ macro_rules! each_operand {
             Kind::Tabulate { sizes, body, .. } => {
                 sizes.$iter().for_each(&mut visit);
                 visit(body);
+            }
+            Kind::Scatter {
+                set,
+                sizes,
+                place,
+                body,
+                ..
+            } => {
+                visit(set);
+                sizes.$iter().for_each(&mut visit);
+                place.$iter().for_each(&mut visit);
+                visit(body);
+            }
+            Kind::Update(base, entries) => {
+                visit(base);
+                for (subscripts, value) in entries.$iter() {
+                    subscripts.$iter().flatten().for_each(&mut visit);
+                    visit(value);
+                }
             }
             Kind::Unary(_, a)
             | Kind::Not(a)

@@ -266,6 +266,42 @@ impl Writer<'_> {
                 self.expr(*body);
                 self.put(")");
             }
+            Kind::Scatter {
+                variable,
+                set,
+                sizes,
+                place,
+                body,
+            } => {
+                self.call("scatter", sizes);
+                let name = self.arena().variable_name(*variable);
+                self.put(&format!("({name}.{} in ", variable.0));
+                self.expr(*set);
+                self.put(": [");
+                self.list(place);
+                self.put("] ");
+                self.expr(*body);
+                self.put(")");
+            }
+            Kind::Update(base, entries) => {
+                self.put("update(");
+                self.expr(*base);
+                for (subscripts, value) in entries {
+                    self.put("; [");
+                    for (k, subscript) in subscripts.iter().enumerate() {
+                        if k > 0 {
+                            self.put(", ");
+                        }
+                        match subscript {
+                            Some(subscript) => self.expr(*subscript),
+                            None => self.put("*"),
+                        }
+                    }
+                    self.put("] ");
+                    self.expr(*value);
+                }
+                self.put(")");
+            }
             Kind::Sequence(items) => self.call("sequence", items),
             Kind::SequenceOf(a) => self.call("sequence of ", &[*a]),
             Kind::HostCall(function, arguments) => {

@@ -27,6 +27,8 @@ pub fn failure(program: &Program, e: ExprId) -> String {
             "an integer is too large"
         }
         Kind::At(..) => "the matrix has no such entry",
+        Kind::Scatter { .. } => "a place lies outside of the matrix",
+        Kind::Update(..) => "a place that is set does not exist",
         Kind::RowOf(..) => "the matrix has no such row",
         Kind::ColumnOf(..) => "the matrix has no such column",
         Kind::Agree(..) => "two sizes differ that one index runs over,",

@@ -21,8 +21,8 @@ pub use arena::{Arena, ExprId, Node};
 pub use display::{expression, program, types};
 pub use failure::failure;
 pub use program::{
-    Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Parameter, Program,
-    Site,
+    Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Pairs, Parameter,
+    Program, Site,
 };
 
 use crate::syntax::ast::CompareOp;
@@ -87,6 +87,8 @@ pub enum Unary {
     ToReal,
     /// The mathematical number of an element: its host number plus one.
     ToInteger,
+    /// Integers that the host counts from 0, counted from 1: each integer in the value plus one.
+    FromHost,
     /// A function of one real number, or of each entry of a vector.
     Apply(Elementary),
 }
@@ -176,6 +178,8 @@ pub enum Layout {
     Columns,
     /// Numbers on the diagonal of a sparse matrix.
     Diagonal,
+    /// Numbers as the entries of a sparse matrix, of which those that are 0 are not stored.
+    Sparse,
 }
 
 /// Operations with two sets.
@@ -296,6 +300,23 @@ pub enum Kind {
         /// The value for each.
         body: ExprId,
     },
+    /// A sparse matrix: for each member of a set a number at a row and a column, both from 1. Numbers at one place add
+    /// up; what has none is 0. Fails for a place outside of the sizes.
+    Scatter {
+        /// The member.
+        variable: VariableId,
+        /// What it runs over, ascending.
+        set: ExprId,
+        /// The numbers of rows and columns.
+        sizes: [ExprId; 2],
+        /// The row and the column for each member.
+        place: [ExprId; 2],
+        /// The number for each.
+        body: ExprId,
+    },
+    /// A vector, matrix or sequence with entries replaced one after the other: the subscripts of each, from 1, with its
+    /// value. A subscript that is missing stands for all: the value is a row or a column. Fails for a place outside.
+    Update(ExprId, Vec<(Vec<Option<ExprId>>, ExprId)>),
     /// A sequence by its items.
     Sequence(Vec<ExprId>),
     /// A set as a sequence, ascending.

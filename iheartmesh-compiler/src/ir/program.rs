@@ -2,7 +2,7 @@
 
 use super::{Arena, ExprId, VariableId};
 use crate::span::Span;
-use crate::types::{Element, MeshId, MeshKind, Type};
+use crate::types::{Dimension, Element, MeshId, MeshKind, Type};
 
 /// A value handed in by the host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -36,10 +36,23 @@ pub struct Input {
     pub within: Option<ExprId>,
     /// Elements that index it somewhere: it must have an item for each.
     pub indexed_by: Vec<Element>,
+    /// Matrices that its members, pairs of integers, are the rows and columns of.
+    pub pairs: Vec<Pairs>,
     /// The author's description.
     pub description: Option<String>,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// What pairs of integers are the rows and columns of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pairs {
+    /// The author's name of the matrix.
+    pub matrix: String,
+    /// Its numbers of rows and columns.
+    pub sizes: [Dimension; 2],
+    /// What the host calls the first row and column.
+    pub first: i64,
 }
 
 /// A definition without parameters.

@@ -80,7 +80,8 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
         Kind::Fold {
             range: Range::Set(set),
             ..
-        } => check(
+        }
+        | Kind::Scatter { set, .. } => check(
             matches!(ty(*set), Type::Set(_)),
             "a loop over something other than a set",
         ),

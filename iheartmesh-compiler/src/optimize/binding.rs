@@ -97,6 +97,13 @@ impl Expressions<'_> {
                 self.variables.extend(variables);
                 true
             }
+            Kind::Scatter { variable, set, .. } => {
+                let is_static = self.is_static(*set);
+                if is_static {
+                    self.variables.push(*variable);
+                }
+                is_static
+            }
             Kind::Fold {
                 variable, range, ..
             } => {

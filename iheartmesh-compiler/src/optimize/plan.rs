@@ -311,6 +311,7 @@ impl MayFail {
         match arena.kind(e) {
             Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
             Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) => true,
+            Kind::Scatter { .. } | Kind::Update(..) => true,
             Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
             Kind::Fold { op, .. } => {

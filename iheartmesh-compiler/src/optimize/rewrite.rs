@@ -102,6 +102,19 @@ impl Substitution {
                             body,
                         }
                     }
+                    Kind::Scatter {
+                        variable,
+                        set,
+                        sizes,
+                        place,
+                        body,
+                    } => Kind::Scatter {
+                        variable: self.fresh(arena, variable),
+                        set,
+                        sizes,
+                        place,
+                        body,
+                    },
                     other => other,
                 };
                 let mapped = mapped.map_operands(|operand| self.expr(arena, operand));

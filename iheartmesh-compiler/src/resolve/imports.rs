@@ -216,6 +216,7 @@ impl Resolver<'_> {
 
 /// The parameters of a module with their types, in order.
 fn parameters(syntax: &ast::Module) -> Vec<(&Name, &Type)> {
+    let entrywise = super::symbols::defined_by_entries(syntax);
     let blocks = syntax.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Parameters(block) => Some(block),
         _ => None,
@@ -223,6 +224,7 @@ fn parameters(syntax: &ast::Module) -> Vec<(&Name, &Type)> {
     blocks
         .flatten()
         .flat_map(|d| d.targets.iter().map(|t| (&t.name, &d.ty)))
+        .filter(|(name, _)| !entrywise.contains(&name.text))
         .collect()
 }
 

@@ -76,6 +76,10 @@ pub struct Module {
     pub symbols: BTreeMap<String, Symbol>,
     /// Its definitions and functions, by item, each after those that it depends on.
     pub order: Vec<usize>,
+    /// For a name the items below its first definition that define entries of it or add to it, in order of the text.
+    pub further: BTreeMap<String, Vec<usize>>,
+    /// Names that are declared and then defined entry by entry: the item, declaration and target that declare them.
+    pub declared: BTreeMap<String, (usize, usize, usize)>,
 }
 
 /// All module instances.

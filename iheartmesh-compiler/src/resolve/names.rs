@@ -227,7 +227,21 @@ impl<'a> FreeNames<'a> {
     /// The names of a definition's value and subscripts. Subscripts on the left bind, where they are names.
     pub fn definition(&mut self, definition: &Definition) {
         let names: Vec<&Name> = left_indices(definition);
-        self.under(&names, |walk| walk.expr(&definition.value));
+        self.under(&names, |walk| {
+            walk.left_entries(definition);
+            walk.expr(&definition.value);
+        });
+    }
+
+    /// The names in subscripts on the left side of a definition that are no indices.
+    pub fn left_entries(&mut self, definition: &Definition) {
+        for subscript in definition.targets.iter().flat_map(|t| &t.subscripts) {
+            if let Subscript::Expr(e) = subscript
+                && !matches!(e.kind, ExprKind::Name(_))
+            {
+                self.expr(e);
+            }
+        }
     }
 
     /// The names that a declaration's type uses, except those that may declare a size.

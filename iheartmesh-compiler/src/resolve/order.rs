@@ -40,6 +40,18 @@ pub fn order(module: &Module, diagnostics: &mut Diagnostics) -> Vec<usize> {
         };
         needs.insert(index, list);
     }
+    // what defines entries of a value or adds to it belongs to its definition, and sees what stands above
+    for (name, further) in &module.further {
+        let symbol = module.symbols.get(name).and_then(|s| s.meanings.first());
+        let Some(Meaning::Definition { item: first, .. }) = symbol else {
+            continue;
+        };
+        for item in further {
+            let own = needs.insert(*item, vec![*first]).unwrap_or_default();
+            let all = needs.entry(*first).or_default();
+            all.extend(own.into_iter().filter(|need| need != first));
+        }
+    }
     let mut visit = Visit {
         module,
         needs: &needs,

@@ -1,6 +1,6 @@
 //! Builds the symbol tables of a module and of all that it imports.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::names::{FreeNames, dimension_names, left_indices};
@@ -44,13 +44,16 @@ impl Resolver<'_> {
         arguments: Option<&[(ModuleId, String)]>,
     ) -> ModuleId {
         let id = ModuleId(self.resolved.modules.len() as u32);
-        let symbols = self.own_symbols(&syntax, arguments);
-        self.resolved.modules.push(Module {
+        let mut module = Module {
             name: name.to_owned(),
             syntax: Rc::clone(&syntax),
-            symbols,
+            symbols: BTreeMap::new(),
             order: Vec::new(),
-        });
+            further: BTreeMap::new(),
+            declared: BTreeMap::new(),
+        };
+        self.own_symbols(&mut module, arguments);
+        self.resolved.modules.push(module);
         for item in &syntax.items {
             if let ItemKind::Import(import) = &item.kind {
                 self.import(id, import);
@@ -69,11 +72,9 @@ impl Resolver<'_> {
         id
     }
 
-    fn own_symbols(
-        &mut self,
-        syntax: &ast::Module,
-        arguments: Option<&[(ModuleId, String)]>,
-    ) -> BTreeMap<String, Symbol> {
+    fn own_symbols(&mut self, module: &mut Module, arguments: Option<&[(ModuleId, String)]>) {
+        let syntax = Rc::clone(&module.syntax);
+        let entrywise = defined_by_entries(&syntax);
         let mut symbols: BTreeMap<String, Symbol> = BTreeMap::new();
         let mut n_parameters = 0;
         for (index, item) in syntax.items.iter().enumerate() {
@@ -81,6 +82,14 @@ impl Resolver<'_> {
                 ItemKind::Parameters(block) => {
                     for (declaration, d) in block.iter().enumerate() {
                         for (target, t) in d.targets.iter().enumerate() {
+                            if entrywise.contains(&t.name.text) {
+                                let place = (index, declaration, target);
+                                let before = module.declared.insert(t.name.text.clone(), place);
+                                if let Some(before) = before {
+                                    self.declared_twice(&syntax, &t.name, before);
+                                }
+                                continue;
+                            }
                             let meaning = match arguments {
                                 None => Meaning::Parameter {
                                     item: index,
@@ -105,8 +114,12 @@ impl Resolver<'_> {
                 }
                 ItemKind::Definition(d) => {
                     for (target, t) in d.targets.iter().enumerate() {
-                        let known = symbols.contains_key(&t.name.text);
-                        if known && (d.add || !t.subscripts.is_empty()) {
+                        let defined = symbols.get(&t.name.text).is_some_and(|s| {
+                            matches!(s.meanings.as_slice(), [Meaning::Definition { .. }])
+                        });
+                        if defined && (d.add || !t.subscripts.is_empty()) {
+                            let further = module.further.entry(t.name.text.clone());
+                            further.or_default().push(index);
                             continue;
                         }
                         self.define(
@@ -134,7 +147,21 @@ impl Resolver<'_> {
                 }
             }
         }
-        symbols
+        module.symbols = symbols;
+    }
+
+    /// Two declarations of a name that is defined entry by entry.
+    fn declared_twice(&mut self, syntax: &ast::Module, name: &Name, before: (usize, usize, usize)) {
+        let ItemKind::Parameters(block) = &syntax.items[before.0].kind else {
+            return;
+        };
+        let parameter = Meaning::Parameter {
+            item: before.0,
+            declaration: before.1,
+            target: before.2,
+        };
+        let first = block[before.1].targets[before.2].name.span;
+        self.twice(name, (parameter.clone(), first), (parameter, name.span));
     }
 
     /// Gives a name a meaning; only functions may have several.
@@ -241,6 +268,32 @@ impl Resolver<'_> {
     }
 }
 
+/// The names that have definitions of entries only, as `K_ij = …`: a declaration of such a name gives the type of what
+/// is defined, and is no parameter.
+pub fn defined_by_entries(syntax: &ast::Module) -> BTreeSet<String> {
+    let definitions = || {
+        syntax.items.iter().filter_map(|item| match &item.kind {
+            ItemKind::Definition(d) => Some(d),
+            _ => None,
+        })
+    };
+    let targets = definitions().flat_map(|d| &d.targets);
+    let mut names: BTreeSet<String> = targets
+        .filter(|t| !t.subscripts.is_empty())
+        .map(|t| t.name.text.clone())
+        .collect();
+    for definition in definitions().filter(|d| !d.add) {
+        for target in definition
+            .targets
+            .iter()
+            .filter(|t| t.subscripts.is_empty())
+        {
+            names.remove(&target.name.text);
+        }
+    }
+    names
+}
+
 /// Walks the names that a function uses from outside; gives those that are bound inside.
 pub fn walk_function(f: &Function, found: &mut dyn FnMut(&Name)) -> Vec<Name> {
     let mut bound: Vec<String> = f.subscripts.iter().map(|n| n.text.clone()).collect();
@@ -263,6 +316,7 @@ pub fn walk_definition(d: &Definition, found: &mut dyn FnMut(&Name)) -> Vec<Name
         .map(|n| n.text.clone())
         .collect();
     let mut walk = FreeNames::new(bound, found);
+    walk.left_entries(d);
     walk.expr(&d.value);
     walk.binders
 }

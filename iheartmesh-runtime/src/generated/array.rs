@@ -272,5 +272,18 @@ impl Array for sprs::CsMat<f64> {
     }
 }
 
+impl Build for sprs::CsMat<f64> {
+    fn zeros(rows: usize, columns: usize) -> Self {
+        sprs::CsMat::zero((rows, columns)).into_csc()
+    }
+
+    /// A 0 is not stored where nothing is.
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        if value != 0.0 || self.get(row, column).is_some() {
+            self.insert(row, column, value);
+        }
+    }
+}
+
 /// A dynamic column of real numbers.
 pub type Column = DVector<f64>;

@@ -183,6 +183,31 @@ pub fn check_size(
     })
 }
 
+/// Pairs of numbers of rows and columns of the matrix `of`, of which the host counts the first as `first`.
+pub fn check_pairs(
+    parameter: &str,
+    pairs: &Set<(i64, i64)>,
+    first: i64,
+    (rows, columns): (i64, i64),
+    of: &str,
+) -> Result<(), Error> {
+    for (row, column) in pairs {
+        for (index, size, what) in [(*row, rows, "row"), (*column, columns, "column")] {
+            if index < first || index - first >= size {
+                return Err(Error::OutOfRange {
+                    parameter: parameter.to_owned(),
+                    entry: format!("({row}, {column})"),
+                    index,
+                    what: format!("{what}s of `{of}`"),
+                    first,
+                    size,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The error of a call that has no value.
 #[cold]
 pub fn undefined(function: &str, arguments: &[&dyn fmt::Display], fault: Fault) -> Error {

@@ -212,8 +212,54 @@ pub fn entry_at<A: Array>(a: &A, row: i64, column: i64, fault: Fault) -> Fallibl
     ))
 }
 
+/// Sets an entry by its numbers from 1.
 #[inline(always)]
-fn index(number: i64, size: usize, fault: Fault) -> Fallible<usize> {
+pub fn set_at<B: Build>(
+    a: &mut B,
+    row: i64,
+    column: i64,
+    value: B::Item,
+    fault: Fault,
+) -> Fallible<()> {
+    let row = index(row, a.rows(), fault)?;
+    let column = index(column, a.columns(), fault)?;
+    a.set(row, column, value);
+    Ok(())
+}
+
+/// Sets a row, by its number from 1, to the entries of a vector.
+pub fn set_row<B: Build>(
+    a: &mut B,
+    number: i64,
+    row: &impl Array<Item = B::Item>,
+    fault: Fault,
+) -> Fallible<()> {
+    let place = index(number, a.rows(), fault)?;
+    if row.rows() != a.columns() {
+        return Err(fault);
+    }
+    (0..row.rows()).for_each(|j| a.set(place, j, row.entry(j, 0)));
+    Ok(())
+}
+
+/// Sets a column, by its number from 1, to the entries of a vector.
+pub fn set_column<B: Build>(
+    a: &mut B,
+    number: i64,
+    column: &impl Array<Item = B::Item>,
+    fault: Fault,
+) -> Fallible<()> {
+    let place = index(number, a.columns(), fault)?;
+    if column.rows() != a.rows() {
+        return Err(fault);
+    }
+    (0..column.rows()).for_each(|i| a.set(i, place, column.entry(i, 0)));
+    Ok(())
+}
+
+/// The place of an entry by its number from 1.
+#[inline(always)]
+pub(super) fn index(number: i64, size: usize, fault: Fault) -> Fallible<usize> {
     match usize::try_from(number.wrapping_sub(1)) {
         Ok(index) if index < size => Ok(index),
         _ => Err(fault),

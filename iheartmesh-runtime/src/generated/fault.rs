@@ -69,6 +69,13 @@ pub fn entry<T>(values: &[T], number: i64, fault: Fault) -> Fallible<&T> {
     }
 }
 
+/// The place of the value with a number, from 1.
+#[inline]
+pub fn entry_mut<T>(values: &mut [T], number: i64, fault: Fault) -> Fallible<&mut T> {
+    let index = usize::try_from(number.wrapping_sub(1)).ok();
+    index.and_then(|index| values.get_mut(index)).ok_or(fault)
+}
+
 /// An element of a row, which may be missing.
 #[inline(always)]
 pub fn element(stored: u32, fault: Fault) -> Fallible<u32> {

@@ -6,6 +6,7 @@ mod chain;
 mod check;
 mod dense;
 mod fault;
+mod host;
 mod ids;
 mod linear;
 mod local;
@@ -20,12 +21,15 @@ pub use array::*;
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element, check_length, check_member,
-    check_members, check_same_length, check_set, check_set_argument, check_size, fail, undefined,
+    check_members, check_pairs, check_same_length, check_set, check_set_argument, check_size, fail,
+    undefined,
 };
 pub use dense::*;
 pub use fault::{
-    Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, integer, integers, sized,
+    Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, entry_mut, integer,
+    integers, sized,
 };
+pub use host::FromHost;
 pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,

@@ -3,6 +3,7 @@
 use sprs::{CsMat, TriMat};
 
 use super::array::{Array, Build};
+use super::{Fallible, Fault};
 
 /// The sparse matrix with these numbers on its diagonal.
 pub fn sparse_diagonal(entries: &[f64]) -> CsMat<f64> {
@@ -60,6 +61,21 @@ pub fn put_sparse(
             matrix.add_triplet(row + i, column + j, entry);
         }
     });
+}
+
+/// Adds a number at a place, by its numbers from 1.
+#[inline]
+pub fn add_at(
+    matrix: &mut TriMat<f64>,
+    row: i64,
+    column: i64,
+    value: f64,
+    fault: Fault,
+) -> Fallible<()> {
+    let row = super::index(row, matrix.rows(), fault)?;
+    let column = super::index(column, matrix.cols(), fault)?;
+    matrix.add_triplet(row, column, value);
+    Ok(())
 }
 
 /// The identity.

@@ -357,7 +357,7 @@ impl<'a> Body<'a> {
     }
 
     /// `for … in …`, binding what the inside of a loop needs.
-    fn loop_head(&mut self, variable: VariableId, range: &Range) -> TokenStream {
+    pub(super) fn loop_head(&mut self, variable: VariableId, range: &Range) -> TokenStream {
         let name = self.variable_name(variable);
         match range {
             Range::Integers(from, to) => {

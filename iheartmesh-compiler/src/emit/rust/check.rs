@@ -32,6 +32,14 @@ impl Context<'_> {
                 rt::check_cellular_set("", #name, #field.as_ref(), t.#field_of_mesh.complex(), #mesh)?;
             });
         }
+        checks.extend(self.item_checks(input, &field));
+        for pairs in &input.pairs {
+            let [rows, columns] = pairs.sizes.each_ref().map(|size| self.size(size));
+            let (first, matrix) = (pairs.first, &pairs.matrix);
+            checks.extend(
+                quote!(rt::check_pairs(#name, #field.as_ref(), #first, (#rows, #columns), #matrix)?;),
+            );
+        }
         checks.extend(self.smaller_set_check(input, &field));
         if let Type::Sequence { length, index, .. } = &input.ty {
             let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
@@ -61,6 +69,37 @@ impl Context<'_> {
         }
         checks.extend(self.size_checks(id, input, all));
         checks
+    }
+
+    /// Checks the elements in the items of a sequence, or in the tuples of a set.
+    fn item_checks(&self, input: &Input, field: &proc_macro2::Ident) -> Option<TokenStream> {
+        let (Type::Sequence { item, .. } | Type::Set(item)) = &input.ty else {
+            return None;
+        };
+        let name = &input.name;
+        let check = |element: &Element, value: TokenStream| {
+            let (n, mesh) = (
+                self.count(*element),
+                &self.program().mesh(element.mesh).name,
+            );
+            quote!(rt::check_element(#name, #value, #n, #mesh)?;)
+        };
+        let checks: Vec<TokenStream> = match (&**item, &input.ty) {
+            (Type::Element(element), Type::Sequence { .. }) => vec![check(element, quote!(*item))],
+            (Type::Tuple(items), _) => items
+                .iter()
+                .enumerate()
+                .filter_map(|(k, item)| match item {
+                    Type::Element(element) => {
+                        let k = proc_macro2::Literal::usize_unsuffixed(k);
+                        Some(check(element, quote!(item.#k)))
+                    }
+                    _ => None,
+                })
+                .collect(),
+            _ => Vec::new(),
+        };
+        (!checks.is_empty()).then(|| quote!(for item in #field.as_ref().iter() { #(#checks)* }))
     }
 
     /// Checks an input that must be in a set which is not all elements of its kind, where that set is known from the

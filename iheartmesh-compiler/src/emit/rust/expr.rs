@@ -181,6 +181,8 @@ impl Body<'_> {
             }
             Kind::Fold { .. } => self.fold(e),
             Kind::Tabulate { .. } => self.tabulate(e),
+            Kind::Scatter { .. } => self.scatter(e),
+            Kind::Update(base, entries) => self.update(e, *base, entries),
             _ if self.is_array(e) => self.array(e),
             _ => self.set_value(e),
         }
@@ -294,7 +296,7 @@ impl Body<'_> {
     }
 
     fn unary(&mut self, e: ExprId, op: Unary, a: ExprId) -> TokenStream {
-        if !self.ty(a).is_scalar() && !self.ty(a).is_element() {
+        if op == Unary::FromHost || !self.ty(a).is_scalar() && !self.ty(a).is_element() {
             return self.array_unary(e, op, a);
         }
         let overflows = crate::optimize::may_overflow(&self.context.program().arena, e);

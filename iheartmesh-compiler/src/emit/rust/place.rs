@@ -175,6 +175,22 @@ impl Placement {
                 }
                 self.use_in(pending, *body, inside);
             }
+            Kind::Scatter {
+                variable,
+                set,
+                sizes,
+                place,
+                body,
+            } => {
+                for outside in [set].into_iter().chain(sizes) {
+                    self.use_in(pending, *outside, region);
+                }
+                let inside = self.add_region(Some(region), Some(*variable));
+                self.parts.insert((e, Part::Loop), inside);
+                for inner in place.iter().chain([body]) {
+                    self.use_in(pending, *inner, inside);
+                }
+            }
             Kind::Tabulate {
                 variables,
                 sizes,
@@ -257,6 +273,7 @@ impl Placement {
                     }
                 }
                 Kind::Tabulate { sizes, .. } => found = sizes.contains(&e),
+                Kind::Scatter { set, sizes, .. } => found = *set == e || sizes.contains(&e),
                 kind => kind.operands(|operand| found |= operand == e),
             }
             found
@@ -278,6 +295,9 @@ impl Placement {
                         Kind::Fold { body, .. } | Kind::Tabulate { body, .. },
                         Part::Loop | Part::Taken,
                     ) => *body == e,
+                    (Kind::Scatter { place, body, .. }, Part::Loop) => {
+                        *body == e || place.contains(&e)
+                    }
                     _ => false,
                 }
         })

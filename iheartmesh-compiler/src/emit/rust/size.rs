@@ -54,6 +54,27 @@ impl Context<'_> {
         let atom = Atom::Symbol(name.to_owned());
         self.values()
             .any(|(id, input)| self.has_size(id, input, &atom))
+            || self.is_size_of_definition(&atom)
+    }
+
+    /// Whether a symbol occurs in the size of something that is defined.
+    fn is_size_of_definition(&self, atom: &Atom) -> bool {
+        let arena = &self.program().arena;
+        (0..arena.len() as u32).any(|e| match arena.kind(crate::ir::ExprId(e)) {
+            crate::ir::Kind::Size(size) => size.terms().any(|(_, atoms)| atoms.contains(atom)),
+            _ => false,
+        })
+    }
+
+    /// The symbol that a parameter is the value of, where nothing else that is handed in has this size.
+    fn own_symbol(&self, id: InputId, input: &Input) -> Option<Atom> {
+        let atom = Atom::Symbol(input.name.clone());
+        let others = || {
+            self.values()
+                .any(|(other, input)| other != id && self.has_size(other, input, &atom))
+        };
+        let own = input.ty == Type::INTEGER && self.is_size_of_definition(&atom) && !others();
+        own.then_some(atom)
     }
 
     /// Whether a symbol occurs in a size of an input.
@@ -205,8 +226,13 @@ impl Context<'_> {
 
     /// The sizes that change with new values of an input: those that only it has.
     pub(super) fn size_updates(&self, id: InputId, input: &Input) -> TokenStream {
+        let own = self.own_symbol(id, input).map(|atom| {
+            let (size, field) = (self.size_field(&atom, &input.name), self.input_field(id));
+            quote!(self.state.sizes.#size = #field;)
+        });
         self.changing_axes(id, input)
             .map(|(field, _, found)| quote!(self.state.sizes.#field = #found;))
+            .chain(own)
             .collect()
     }
 
@@ -214,6 +240,7 @@ impl Context<'_> {
     pub(super) fn own_sizes(&self, id: InputId, input: &Input) -> BTreeSet<Atom> {
         self.changing_axes(id, input)
             .map(|(_, atom, _)| atom)
+            .chain(self.own_symbol(id, input))
             .collect()
     }
 

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::block::Body;
 use super::place::Part;
-use crate::ir::{ExprId, Kind};
+use crate::ir::{ExprId, Kind, Layout, Range};
 use crate::types::Type;
 
 impl Body<'_> {
@@ -29,23 +29,35 @@ impl Body<'_> {
             let inside = self.placement.part(e, Part::Taken);
             let statements = self.statements(inside, &[]);
             let value = self.owned(*body);
+            let (start, put, finish) = match layout {
+                Layout::Sparse => (
+                    quote!(rt::sparse_blocks(rt::size(n), rt::size(m))),
+                    quote!(rt::put_sparse(&mut all, (#first - 1) as usize, (#second - 1) as usize, &value)),
+                    quote!(all.to_csc()),
+                ),
+                _ => (
+                    quote!(<#ty as rt::Build>::zeros(rt::size(n), rt::size(m))),
+                    quote!(rt::Build::set(&mut all, (#first - 1) as usize, (#second - 1) as usize, value)),
+                    quote!(all),
+                ),
+            };
             return quote!({
                 let (n, m) = (#n, #m);
-                let mut all = <#ty as rt::Build>::zeros(rt::size(n), rt::size(m));
+                let mut all = #start;
                 for #first in 1..=n {
                     #before
                     for #second in 1..=m {
                         #statements
                         let value = #value;
-                        rt::Build::set(&mut all, (#first - 1) as usize, (#second - 1) as usize, value);
+                        #put;
                     }
                 }
-                all
+                #finish
             });
         }
         let (first, n) = (&names[0], &sizes[0]);
         match layout {
-            crate::ir::Layout::Vector | crate::ir::Layout::Matrix => {
+            Layout::Vector | Layout::Matrix | Layout::Sparse => {
                 let value = self.owned(*body);
                 quote!({
                     let n = #n;
@@ -58,10 +70,10 @@ impl Body<'_> {
                     all
                 })
             }
-            crate::ir::Layout::Sequence | crate::ir::Layout::Diagonal => {
+            Layout::Sequence | Layout::Diagonal => {
                 let value = self.owned(*body);
                 let finish = match layout {
-                    crate::ir::Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
+                    Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
                     _ => quote!(all),
                 };
                 quote!({
@@ -73,7 +85,7 @@ impl Body<'_> {
                     #finish
                 })
             }
-            crate::ir::Layout::Rows | crate::ir::Layout::Columns => {
+            Layout::Rows | Layout::Columns => {
                 let value = self.owned(*body);
                 // without items the type says how long they would be
                 let length = match self.ty(*body) {
@@ -82,7 +94,7 @@ impl Body<'_> {
                 };
                 let length = length.map_or(quote!(0usize), |n| quote!(rt::size(#n)));
                 let (rows, columns, put) = match layout {
-                    crate::ir::Layout::Rows => (
+                    Layout::Rows => (
                         quote!(items.len()),
                         quote!(items.first().map_or(#length, |item| rt::Array::rows(item))),
                         quote!(rt::Array::entry(&items[i], j, 0)),
@@ -103,5 +115,77 @@ impl Body<'_> {
                 })
             }
         }
+    }
+
+    /// A sparse matrix by the places and numbers of the members of a set.
+    pub(super) fn scatter(&mut self, e: ExprId) -> TokenStream {
+        let Kind::Scatter {
+            variable,
+            set,
+            sizes: [rows, columns],
+            place: [row, column],
+            body,
+        } = self.kind(e)
+        else {
+            panic!("bug in iheartmesh: no places");
+        };
+        let (rows, columns) = (self.owned(*rows), self.owned(*columns));
+        let head = self.loop_head(*variable, &Range::Set(*set));
+        let inside = self.placement.part(e, Part::Loop);
+        let statements = self.statements(inside, &[]);
+        let (row, column, value) = (self.owned(*row), self.owned(*column), self.owned(*body));
+        let site = self.context.site(e);
+        quote!({
+            let mut all = rt::sparse_blocks(rt::size(#rows), rt::size(#columns));
+            #head {
+                #statements
+                rt::add_at(&mut all, #row, #column, #value, #site)?;
+            }
+            all.to_csc()
+        })
+    }
+
+    /// A value with entries replaced.
+    pub(super) fn update(
+        &mut self,
+        e: ExprId,
+        base: ExprId,
+        entries: &[(Vec<Option<ExprId>>, ExprId)],
+    ) -> TokenStream {
+        let site = self.context.site(e);
+        let is_sequence = matches!(self.ty(e), crate::types::Type::Sequence { .. });
+        let base = self.owned(base);
+        let mut sets = TokenStream::new();
+        for (subscripts, value) in entries {
+            let subscripts: Vec<Option<TokenStream>> = subscripts
+                .iter()
+                .map(|s| s.map(|s| self.owned(s)))
+                .collect();
+            sets.extend(match subscripts.as_slice() {
+                [Some(k)] if is_sequence => {
+                    let value = self.owned(*value);
+                    quote!(*rt::entry_mut(&mut all, #k, #site)? = #value;)
+                }
+                [Some(row), None] => {
+                    let value = self.reference(*value);
+                    quote!(rt::set_row(&mut all, #row, #value, #site)?;)
+                }
+                [None, Some(column)] => {
+                    let value = self.reference(*value);
+                    quote!(rt::set_column(&mut all, #column, #value, #site)?;)
+                }
+                [Some(row), rest @ ..] => {
+                    let column = rest.first().cloned().flatten().unwrap_or(quote!(1));
+                    let value = self.owned(*value);
+                    quote!(rt::set_at(&mut all, #row, #column, #value, #site)?;)
+                }
+                _ => panic!("bug in iheartmesh: no place"),
+            });
+        }
+        quote!({
+            let mut all = #base;
+            #sets
+            all
+        })
     }
 }

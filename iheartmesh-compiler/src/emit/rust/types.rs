@@ -239,7 +239,8 @@ impl Context<'_> {
                 Type::Element(_) => quote!(rt::ids_of_set(#value)),
                 ref item => {
                     let converted = self.to_inner(quote!(item), item);
-                    quote!(#value.iter().map(|item| #converted).collect())
+                    let krate = self.krate;
+                    quote!(#value.iter().map(|item| #converted).collect::<#krate::Set<_>>())
                 }
             },
             Type::Tuple(items) => {
