@@ -134,6 +134,11 @@ fn vectors() {
 }
 
 #[test]
+fn entries() {
+    check(&small("entries"));
+}
+
+#[test]
 fn overloads() {
     check(&small("overloads"));
 }

@@ -28,6 +28,13 @@ impl<'a> Checker<'a> {
         }
         self.definitions.insert((module, item), Definition::Open);
         let parts = match definition.targets.as_slice() {
+            [target] if !target.subscripts.is_empty() && self.has_no_meaning(module, target) => {
+                // two meanings of one name have been reported
+                let values = vec![self.error()];
+                self.definitions
+                    .insert((module, item), Definition::Done(values.clone()));
+                return values;
+            }
             [target] => self.parts(module, item, &target.name.text),
             _ => None,
         };
@@ -41,6 +48,11 @@ impl<'a> Checker<'a> {
         self.definitions
             .insert((module, item), Definition::Done(values.clone()));
         values
+    }
+
+    fn has_no_meaning(&self, module: ModuleId, target: &ast::LeftSide) -> bool {
+        let symbol = self.resolved.module(module).symbols.get(&target.name.text);
+        symbol.is_some_and(|symbol| symbol.meanings.is_empty())
     }
 
     /// The value of a definition by its name, so that it is computed once; what costs nothing stays as it is.
@@ -72,11 +84,8 @@ impl<'a> Checker<'a> {
     pub(super) fn definition_values(&mut self, definition: &'a ast::Definition) -> Vec<ExprId> {
         let n = definition.targets.len();
         if definition.add {
-            let message = "only definitions of a module can be added to";
-            let error = self.report(
-                Diagnostic::error(definition.span, message)
-                    .help("write `y = … + …`, or define it on a line of its own"),
-            );
+            // what it is added to has been reported
+            let error = self.error();
             return vec![error; n];
         }
         if definition.targets.iter().any(|t| !t.subscripts.is_empty()) {

@@ -150,10 +150,8 @@ impl<'a> Checker<'a> {
         declared: Option<&Type>,
     ) -> ExprId {
         let target = &definition.targets[0];
-        if definition.add
-            && base.is_none()
-            && !(declared.is_some() && !target.subscripts.is_empty())
-        {
+        let all = target.subscripts.is_empty();
+        if definition.add && base.is_none() && (all || declared.is_none()) {
             let name = &target.name.text;
             let message = format!("there is no `{name}` above to add to");
             return self.report(

@@ -5,64 +5,64 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 use crate::{Set, SetItem};
 
 /// Values with integers in them that the host counts from 0 and formulas count from 1.
-pub trait FromHost {
+pub trait HostCounted {
     /// Where the value is, counted from 1.
     type Counted;
     /// Each integer plus one.
-    fn from_host(&self) -> Self::Counted;
+    fn counted(&self) -> Self::Counted;
 }
 
-impl FromHost for i64 {
+impl HostCounted for i64 {
     type Counted = i64;
-    fn from_host(&self) -> i64 {
+    fn counted(&self) -> i64 {
         self.saturating_add(1)
     }
 }
 
-impl<T: FromHost> FromHost for [T] {
+impl<T: HostCounted> HostCounted for [T] {
     type Counted = Vec<T::Counted>;
-    fn from_host(&self) -> Self::Counted {
-        self.iter().map(T::from_host).collect()
+    fn counted(&self) -> Self::Counted {
+        self.iter().map(T::counted).collect()
     }
 }
 
-impl<T: FromHost + SetItem> FromHost for Set<T>
+impl<T: HostCounted + SetItem> HostCounted for Set<T>
 where
     T::Counted: SetItem,
 {
     type Counted = Set<T::Counted>;
-    fn from_host(&self) -> Self::Counted {
-        self.iter().map(T::from_host).collect()
+    fn counted(&self) -> Self::Counted {
+        self.iter().map(T::counted).collect()
     }
 }
 
-impl FromHost for DVector<i64> {
+impl HostCounted for DVector<i64> {
     type Counted = Self;
-    fn from_host(&self) -> Self {
-        self.map(|entry| entry.from_host())
+    fn counted(&self) -> Self {
+        self.map(|entry| entry.counted())
     }
 }
 
-impl FromHost for DMatrix<i64> {
+impl HostCounted for DMatrix<i64> {
     type Counted = Self;
-    fn from_host(&self) -> Self {
-        self.map(|entry| entry.from_host())
+    fn counted(&self) -> Self {
+        self.map(|entry| entry.counted())
     }
 }
 
-impl<const R: usize, const C: usize> FromHost for SMatrix<i64, R, C> {
+impl<const R: usize, const C: usize> HostCounted for SMatrix<i64, R, C> {
     type Counted = Self;
-    fn from_host(&self) -> Self {
-        self.map(|entry| entry.from_host())
+    fn counted(&self) -> Self {
+        self.map(|entry| entry.counted())
     }
 }
 
 macro_rules! tuple {
     ($($item:ident $place:tt),*) => {
-        impl<$($item: FromHost),*> FromHost for ($($item,)*) {
+        impl<$($item: HostCounted),*> HostCounted for ($($item,)*) {
             type Counted = ($($item::Counted,)*);
-            fn from_host(&self) -> Self::Counted {
-                ($(self.$place.from_host(),)*)
+            fn counted(&self) -> Self::Counted {
+                ($(self.$place.counted(),)*)
             }
         }
     };

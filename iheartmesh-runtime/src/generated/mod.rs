@@ -29,7 +29,7 @@ pub use fault::{
     Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, entry_mut, integer,
     integers, sized,
 };
-pub use host::FromHost;
+pub use host::HostCounted;
 pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union,

@@ -303,7 +303,7 @@ impl Body<'_> {
             Unary::AbsolutePart => quote!(rt::with_eigenvalues::<#ty>(#a, f64::abs)),
             Unary::Reshape if self.ty(e).is_sparse() => quote!(rt::sparse(#a)),
             Unary::Reshape => quote!(rt::reshape::<#ty>(#a)),
-            Unary::FromHost => quote!(rt::FromHost::from_host(#a)),
+            Unary::FromHost => quote!(rt::HostCounted::counted(#a)),
             Unary::Absolute | Unary::SquareRoot | Unary::ToInteger => {
                 panic!("bug in iheartmesh: {op:?} of an array")
             }
