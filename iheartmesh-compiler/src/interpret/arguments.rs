@@ -71,11 +71,9 @@ impl<'a> Interpreter<'a> {
     fn find_sizes(&mut self) {
         let program = self.program;
         let mut found = Vec::new();
-        let mut used = BTreeSet::new();
         for id in &program.input_order {
             if let Some(value) = self.values.get(id) {
                 for (dimension, size) in axes(value, &program.input(*id).ty) {
-                    used.extend(dimension.terms().flat_map(|(_, atoms)| atoms).cloned());
                     if let Some(atom) = dimension.as_atom() {
                         found.push((atom.clone(), size));
                     }
@@ -84,7 +82,7 @@ impl<'a> Interpreter<'a> {
         }
         for (id, value) in &self.values {
             let atom = Atom::Symbol(program.input(*id).name.clone());
-            if let (Value::Integer(k), true) = (value, used.contains(&atom)) {
+            if let Value::Integer(k) = value {
                 self.sizes.insert(atom, *k);
             }
         }
