@@ -83,11 +83,6 @@ pub fn sparse_identity(n: usize) -> CsMat<f64> {
     CsMat::eye_csc(n)
 }
 
-/// A matrix without entries other than 0.
-pub fn sparse_zeros(rows: usize, columns: usize) -> CsMat<f64> {
-    CsMat::zero((rows, columns)).into_csc()
-}
-
 /// The product of a dense matrix and a sparse one.
 pub fn product_sparse<R: Build<Item = f64>>(a: &impl Array<Item = f64>, b: &CsMat<f64>) -> R {
     let mut all = R::zeros(a.rows(), b.cols());
