@@ -29,6 +29,19 @@ programs! {
         t = Qᵀ Q
     "#;
 
+    Kernels, PlainKernels = r#"
+        null from linearalgebra
+        A ∈ ℝ^(m×n)
+        B ∈ ℝ^(m×n)
+        sum = null(A) + null(B)
+        product = null(A) null(B)ᵀ
+        scalars = null(A) : null(B)
+        blocks = [null(A) null(A); null(B) null(B)]
+        rows_i,* = null(i A - B)_i,*
+        terms(k) = ∑_(i = 1)^k null(A - i B) where k ∈ ℤ
+        one(k) = ∑_(i = 1)^k null(A) where k ∈ ℤ
+    "#;
+
     Empty, PlainEmpty = r#"
         A ∈ ℝ^(n×n)
         b ∈ ℝ^n
@@ -78,6 +91,36 @@ fn nothing_to_compute_with() {
     // the type says how long rows would be
     assert_eq!(module.R().shape(), (0, 3));
     assert_eq!(module.C().shape(), (3, 0));
+}
+
+#[test]
+fn sizes_that_agree_by_chance() {
+    // the kernels of both are of dimension 1
+    let module = Kernels::new(dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 0.0; 0.0, 1.0]).unwrap();
+    assert_eq!(module.sum().shape(), (2, 1));
+    assert_eq!(module.product().shape(), (2, 2));
+    assert_eq!(module.blocks().shape(), (4, 2));
+    assert_eq!(module.one(2).shape(), (2, 1));
+    assert!(module.try_one(0).is_err());
+    // of dimension 1 and 2
+    let module = Kernels::new(dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 0.0; 0.0, 0.0]).unwrap();
+    for error in [
+        module.try_sum().unwrap_err(),
+        module.try_product().unwrap_err(),
+        module.try_scalars().unwrap_err(),
+        module.try_blocks().unwrap_err(),
+    ] {
+        assert!(error.to_string().contains("the sizes do not fit in"), "{error}");
+    }
+    // of dimension 0 for the first, and 1 for the second
+    let module = Kernels::new(dmatrix![1.0, 0.0; 0.0, 1.0], dmatrix![1.0, 0.0; 0.0, 3.0]).unwrap();
+    assert_eq!(module.terms(1).shape(), (2, 1));
+    let error = module.try_rows().unwrap_err();
+    assert!(error.to_string().contains("the sizes do not fit in"), "{error}");
+    let module = Kernels::new(dmatrix![1.0, 0.0; 0.0, 3.0], dmatrix![1.0, 0.0; 0.0, 1.0]).unwrap();
+    assert_eq!(module.terms(1).shape(), (2, 1));
+    let error = module.try_terms(2).unwrap_err();
+    assert!(error.to_string().contains("terms of different sizes"), "{error}");
 }
 
 #[test]

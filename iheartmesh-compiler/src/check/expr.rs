@@ -3,13 +3,22 @@
 use super::Checker;
 use super::scope::Found;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Binary, ExprId, Kind, Unary};
+use crate::ir::{Binary, ExprId, Kind, Unary, unproven};
 use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
 use crate::types::{Atom, Dimension, Number, Type};
 
 impl<'a> Checker<'a> {
     /// Checks an expression.
     pub(super) fn expr(&mut self, e: &'a Expr) -> ExprId {
+        let value = self.expr_of_kind(e);
+        // sizes that only values know may turn out not to agree
+        if !unproven(&self.program.arena, value).is_empty() {
+            self.program.arena.note_origin(value, e.span);
+        }
+        value
+    }
+
+    fn expr_of_kind(&mut self, e: &'a Expr) -> ExprId {
         match &e.kind {
             ExprKind::Integer(value) => self.program.arena.integer(*value),
             ExprKind::Real(value) => self.program.arena.real(*value),

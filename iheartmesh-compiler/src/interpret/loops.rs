@@ -66,6 +66,9 @@ impl<'a> Interpreter<'a> {
                         Some(first) => first.shape(),
                         None => self.shape_of(scope, ty).ok_or_else(|| self.fault(e))?,
                     };
+                    if terms.iter().any(|term| term.shape() != (rows, columns)) {
+                        return Err(self.fault(e));
+                    }
                     let zero = DMatrix::zeros(rows, columns);
                     Value::Reals(terms.iter().fold(zero, |sum, term| sum + term))
                 }

@@ -1,7 +1,7 @@
 //! What is said where an expression has no value.
 
 use super::{Binary, ExprId, Fold, Kind, Program, Unary};
-use crate::types::Type;
+use crate::types::{Shape, Type};
 
 /// Why an expression has no value when its operands have theirs.
 pub fn failure(program: &Program, e: ExprId) -> String {
@@ -18,9 +18,20 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set",
         Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set",
         Kind::Fail => "no case applies",
-        Kind::Fold { op: Fold::Sum, .. } if *arena.ty(e) != Type::INTEGER => {
-            "a sum without terms, whose size is not known,"
+        Kind::Fold { op: Fold::Sum, .. } if arena.ty(e).shape() != Some(Shape::Scalar) => {
+            "terms of different sizes, or none of a size that is not known,"
         }
+        Kind::Blocks(_) | Kind::Tabulate { .. } => "the sizes do not fit",
+        Kind::Binary(
+            Binary::Add
+            | Binary::Subtract
+            | Binary::Hadamard
+            | Binary::Dot
+            | Binary::Frobenius
+            | Binary::Product
+            | Binary::NormWeighted,
+            ..,
+        ) if *arena.ty(e) != Type::INTEGER => "the sizes do not fit",
         Kind::Fold { .. }
         | Kind::Unary(Unary::Negate | Unary::Absolute, _)
         | Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {

@@ -15,6 +15,7 @@ mod arena;
 mod display;
 mod failure;
 mod program;
+mod unproven;
 pub mod validate;
 
 pub use arena::{Arena, ExprId, Node};
@@ -24,6 +25,8 @@ pub use program::{
     Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Pairs, Parameter,
     Program, Site,
 };
+
+pub use unproven::{Axis, is_of_unknown_size, unproven};
 
 use crate::syntax::ast::CompareOp;
 use crate::types::{Dimension, Element, MeshId};

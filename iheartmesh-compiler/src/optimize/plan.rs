@@ -13,10 +13,10 @@ use std::collections::HashMap;
 use super::binding::{Binding, Expressions};
 use super::{Column, Plan, Rows, Space, Staged, StagedProgram};
 use crate::ir::{
-    Arena, Binary, ExprId, Fold, Function, FunctionId, GlobalId, Kind, Program, Range, Unary,
-    VariableId,
+    Arena, Binary, ExprId, Fold, Function, FunctionId, GlobalId, Kind, Layout, Program, Range,
+    Unary, VariableId, is_of_unknown_size, unproven,
 };
-use crate::types::{Atom, Element, Type};
+use crate::types::{Element, Type};
 
 /// Stages every function and definition that depends on values. Without `tabulate` the plans are empty.
 pub fn run(staged: &mut StagedProgram, binding: &Binding, tabulate: bool) {
@@ -308,6 +308,9 @@ impl MayFail {
 
     /// Whether an expression itself may fail, when its operands do not.
     pub fn own(&self, arena: &Arena, e: ExprId) -> bool {
+        if !unproven(arena, e).is_empty() {
+            return true;
+        }
         match arena.kind(e) {
             Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
             Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) => true,
@@ -321,6 +324,11 @@ impl MayFail {
             }
             Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..)
             | Kind::Unary(Unary::Negate | Unary::Absolute, _) => may_overflow(arena, e),
+            Kind::Tabulate {
+                layout: Layout::Rows | Layout::Columns,
+                body,
+                ..
+            } => is_of_unknown_size(arena.ty(*body)),
             Kind::Component(vector, index) => {
                 !matches!(arena.kind(*index), Kind::Integer(_))
                     || arena.ty(*vector).fixed_vector().is_none()
@@ -334,13 +342,6 @@ impl MayFail {
             _ => false,
         }
     }
-}
-
-/// Whether a size of a type is known only from a value: without one, a sum of such has none.
-fn is_of_unknown_size(ty: &Type) -> bool {
-    let mut unknown = false;
-    ty.atoms(&mut |atom| unknown |= matches!(atom, Atom::Dynamic(_)));
-    unknown
 }
 
 /// Whether an operation on integers may leave the range of `i64`: it cannot with numbers of elements, entries of

@@ -28,6 +28,7 @@ pub struct Datum {
 pub struct Sizes {
     pub n: usize,
     pub m: usize,
+    pub own: usize,
     pub length: usize,
     pub elements: [usize; 3],
 }
@@ -38,6 +39,7 @@ impl Sizes {
             Size::Known(n) => n,
             Size::N => self.n,
             Size::M => self.m,
+            Size::Own => self.own,
         }
     }
 }

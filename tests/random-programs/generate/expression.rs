@@ -13,7 +13,7 @@ impl Generator {
 
     /// A letter that nothing around has.
     pub fn letter(&self) -> String {
-        let letters = "ijklpqstabcdghouvwyz".chars().map(String::from);
+        let letters = "ijklpqstabcdhouvwyz".chars().map(String::from);
         let free = letters.filter(|l| self.scope.iter().all(|(name, _)| name != l));
         free.into_iter().next().unwrap_or_else(|| "ι".to_owned())
     }
@@ -52,6 +52,7 @@ impl Generator {
             Size::Known(n) => n.to_string(),
             Size::N => "n".to_owned(),
             Size::M => "m".to_owned(),
+            Size::Own => panic!("no parameter of the program has the size of a function"),
         };
         let stem = match ty {
             Ty::Real => "r".to_owned(),
@@ -100,18 +101,28 @@ impl Generator {
 
     /// A name, or a parameter.
     pub fn leaf(&mut self, ty: Ty) -> String {
-        match self.named(ty) {
-            Some(name) if !self.chance(4) => name,
+        let own = ty != ty.with(Size::N);
+        match (self.named(ty), ty) {
+            (Some(name), _) if own || !self.chance(4) => name,
+            (None, Ty::Matrix(n, m)) if own => {
+                let (u, v) = (self.leaf(Ty::Vector(n)), self.leaf(Ty::Vector(m)));
+                format!("({u} ({v})ᵀ)")
+            }
             _ => self.input(ty),
         }
     }
 
     /// A call of a function with this result.
     pub fn call(&mut self, ty: Ty, depth: usize) -> Option<String> {
+        // the size that a function of any size is called with
+        let own = match ty {
+            Ty::Vector(n) | Ty::Matrix(n, _) => n,
+            _ => self.size(),
+        };
         let functions: Vec<Signature> = self
             .functions
             .iter()
-            .filter(|f| f.result == ty)
+            .filter(|f| f.result.with(own) == ty)
             .cloned()
             .collect();
         if functions.is_empty() {
@@ -121,7 +132,7 @@ impl Generator {
         let arguments: Vec<String> = function
             .parameters
             .iter()
-            .map(|ty| self.expression(*ty, depth.saturating_sub(1)))
+            .map(|ty| self.expression(ty.with(own), depth.saturating_sub(1)))
             .collect();
         Some(format!("{}({})", function.name, arguments.join(", ")))
     }
@@ -244,6 +255,10 @@ impl Generator {
         match self.random.usize(0..3) {
             0 => {
                 let other = self.size();
+                let other = if other == Size::Own { Size::N } else { other };
+                if size == Size::Own {
+                    return format!("{}_{letter}", self.leaf(Ty::Vector(size)));
+                }
                 let a = self.leaf(Ty::Matrix(size, other));
                 let row = self.random.usize(1..=2);
                 format!("{a}_{letter},{row}")
@@ -256,6 +271,9 @@ impl Generator {
     }
 
     pub fn size(&mut self) -> Size {
+        if self.has_own_size && self.random.bool() {
+            return Size::Own;
+        }
         Size::ALL[self.random.usize(0..Size::ALL.len())]
     }
 }

@@ -77,6 +77,8 @@ pub enum Size {
     Known(usize),
     N,
     M,
+    /// A size that only the parameters of a function name.
+    Own,
 }
 
 impl Size {
@@ -93,6 +95,7 @@ impl Size {
             Size::Known(n) => n.to_string(),
             Size::N => "n".to_owned(),
             Size::M => "m".to_owned(),
+            Size::Own => "g".to_owned(),
         }
     }
 }
@@ -130,6 +133,16 @@ pub enum Member {
 }
 
 impl Ty {
+    /// The type with another size in place of that of a function.
+    pub fn with(self, own: Size) -> Ty {
+        let replaced = |size| if size == Size::Own { own } else { size };
+        match self {
+            Ty::Vector(n) => Ty::Vector(replaced(n)),
+            Ty::Matrix(n, m) => Ty::Matrix(replaced(n), replaced(m)),
+            other => other,
+        }
+    }
+
     /// As a program declares it: the part behind the name.
     pub fn declared(self) -> String {
         match self {
@@ -166,6 +179,8 @@ pub struct Signature {
 pub struct Generator {
     pub random: fastrand::Rng,
     pub has_mesh: bool,
+    /// Whether this is the body of a function of any size.
+    pub has_own_size: bool,
     /// Parameters so far, by name.
     pub inputs: BTreeMap<String, Ty>,
     pub functions: Vec<Signature>,

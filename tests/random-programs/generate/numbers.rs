@@ -66,7 +66,7 @@ impl Generator {
                 }
             }
             20 => {
-                let (n, m) = (self.size(), self.size());
+                let (n, m) = (self.outer_size(), self.outer_size());
                 let a = self.leaf(Ty::Matrix(n, m));
                 let (i, j) = (self.index(n), self.index(m));
                 format!("{a}_{i},{j}")
@@ -270,13 +270,13 @@ impl Generator {
                 _ => format!("(1_{} ({}))", n.text(), self.real(d)),
             },
             10 => format!("({} ∘ {})", self.vector(n, d), self.vector(n, d)),
-            11 => {
-                let m = self.size();
+            11 if n != Size::Own => {
+                let m = self.outer_size();
                 let a = self.leaf(Ty::Matrix(n, m));
                 format!("{a}_*,{}", self.index(m))
             }
-            12 => {
-                let m = self.size();
+            12 if n != Size::Own => {
+                let m = self.outer_size();
                 let a = self.leaf(Ty::Matrix(m, n));
                 format!("{a}_{},*", self.index(m))
             }
@@ -304,6 +304,14 @@ impl Generator {
                 let m = self.size();
                 format!("({}ᵀ ({}))", self.matrix(m, n, d), self.vector(m, d))
             }
+        }
+    }
+
+    /// A size that parameters of the program have.
+    fn outer_size(&mut self) -> Size {
+        match self.size() {
+            Size::Own => Size::M,
+            size => size,
         }
     }
 
@@ -340,6 +348,15 @@ impl Generator {
             8 => {
                 let one = self.pick(&["0", "1"]);
                 format!("{one}_({},{})", n.text(), m.text())
+            }
+            9 if n == m && self.random.bool() => {
+                let other = self.outer_size();
+                let kernel = format!("null({})", self.leaf(Ty::Matrix(other, n)));
+                format!("({kernel} {kernel}ᵀ)")
+            }
+            9 if n == m && self.chance(3) => {
+                let a = self.leaf(Ty::Matrix(n, n));
+                format!("psd({a} + {a}ᵀ)")
             }
             9 if n == m => format!("({}²)", self.matrix(n, m, d)),
             9 => format!("(-{})", self.matrix(n, m, d)),

@@ -13,6 +13,7 @@ pub fn program(seed: u64) -> Generated {
     let mut generator = Generator {
         random: fastrand::Rng::with_seed(seed),
         has_mesh: seed % 2 == 1,
+        has_own_size: false,
         inputs: BTreeMap::new(),
         functions: Vec::new(),
         scope: Vec::new(),
@@ -100,6 +101,9 @@ impl Generator {
             });
             return (text, signature);
         }
+        if self.chance(4) {
+            return self.of_any_size(name, depth);
+        }
         let one_element = self.has_mesh && self.random.bool();
         let parameters: Vec<Ty> = match one_element {
             true => vec![Ty::Element(self.kind())],
@@ -160,6 +164,36 @@ impl Generator {
             format!("{body}\n    where {}", behind.join(", ")),
             signature,
         )
+    }
+
+    /// A function of vectors of any size.
+    fn of_any_size(&mut self, name: &str, depth: usize) -> (String, Signature) {
+        let vector = Ty::Vector(Size::Own);
+        let result = match self.random.usize(0..4) {
+            0 => Ty::Real,
+            1 => Ty::Matrix(Size::Own, Size::Own),
+            _ => vector,
+        };
+        self.has_own_size = true;
+        let names = ["a", "b", "c"];
+        let parameters = vec![vector, vector, Ty::Integer];
+        let before = self.scope.len();
+        for (name, ty) in names.iter().zip(&parameters) {
+            self.scope.push(((*name).to_owned(), *ty));
+        }
+        let head = format!("{name}(a, b, c)");
+        let body = match self.random.usize(0..3) {
+            0 => self.cases(&head, result, depth),
+            _ => format!("{head} = {}", self.expression(result, depth)),
+        };
+        self.scope.truncate(before);
+        self.has_own_size = false;
+        let signature = Signature {
+            name: name.to_owned(),
+            parameters,
+            result,
+        };
+        (format!("{body}\n    where a, b ∈ ℝ^g, c ∈ ℤ"), signature)
     }
 
     fn cases(&mut self, head: &str, ty: Ty, depth: usize) -> String {
@@ -247,14 +281,15 @@ impl Generator {
             0 => 0,
             _ => random.usize(1..=4),
         };
-        let sizes = Sizes {
+        let mut sizes = Sizes {
+            own: size(&mut self.random),
             n: size(&mut self.random),
             m: size(&mut self.random),
             length: size(&mut self.random),
             elements: mesh.as_ref().map_or([0; 3], |mesh| mesh.counts),
         };
         let mut source = String::from(
-            "sin, cos, arctan, tanh, atan2 from trigonometry\ntr, det, diag from linearalgebra\n",
+            "sin, cos, arctan, tanh, atan2 from trigonometry\ntr, det, diag, null, psd from linearalgebra\n",
         );
         if mesh.is_some() {
             source.push_str(
@@ -275,6 +310,7 @@ impl Generator {
         let mut calls = Vec::new();
         for function in self.functions.clone() {
             for _ in 0..2 {
+                sizes.own = size(&mut self.random);
                 let arguments = function.parameters.iter();
                 let arguments = arguments.map(|ty| datum(&mut self.random, *ty, &sizes));
                 calls.push((function.name.clone(), arguments.collect()));

@@ -6,7 +6,7 @@ use quote::quote;
 use super::block::{Body, is_copy};
 use super::expr::elementary;
 use super::types::is_glam;
-use crate::ir::{Binary, ExprId, Kind, Unary};
+use crate::ir::{Axis, Binary, ExprId, Kind, Unary};
 use crate::types::Type;
 
 impl Body<'_> {
@@ -193,6 +193,7 @@ impl Body<'_> {
         };
         // each block has a name, so that sizes are known before any is put in place
         let mut lets = TokenStream::new();
+        let mut at_hand = Vec::new();
         let mut names: Vec<Vec<proc_macro2::Ident>> = Vec::new();
         for (r, row) in rows.iter().enumerate() {
             let mut list = Vec::new();
@@ -200,10 +201,13 @@ impl Body<'_> {
                 let name = quote::format_ident!("block{}_{}", r, k);
                 let value = self.reference(*block);
                 lets.extend(quote!(let #name = #value;));
+                at_hand.push((*block, quote!(#name)));
                 list.push(name);
             }
             names.push(list);
         }
+        let pairs = crate::ir::unproven(&self.context.program().arena, e);
+        lets.extend(agreements(&pairs, &at_hand, &self.context.site(e)));
         let heights = names
             .iter()
             .filter_map(|row| row.first())
@@ -324,8 +328,7 @@ impl Body<'_> {
         let glam = is_glam(self.ty(a))
             && is_glam(self.ty(b))
             && (self.ty(e).is_scalar() || is_glam(self.ty(e)));
-        let dynamic = !is_copy(self.ty(a)) && !is_copy(self.ty(b)) && !is_copy(self.ty(e));
-        let sequence = matches!(self.ty(a), Type::Sequence { .. });
+        let (left, right) = (a, b);
         if glam && op == Binary::Product && matches!(self.ty(a), Type::Matrix { .. }) {
             let (a, b) = (self.owned(a), self.owned(b));
             return quote!((#a * #b));
@@ -357,7 +360,30 @@ impl Body<'_> {
             let (a, b) = (self.owned(a), self.owned(b));
             return quote!({ let mut items = #a; items.push(#b); items });
         }
+        let pairs = crate::ir::unproven(&self.context.program().arena, e);
+        let names = [(a, quote!(left)), (b, quote!(right))];
         let (a, b) = (self.reference(a), self.reference(b));
+        if !pairs.is_empty() {
+            let checks = agreements(&pairs, &names, &site);
+            let value = self.array_operation(e, op, (left, right), (quote!(left), quote!(right)));
+            return quote!({ let (left, right) = (#a, #b); #checks #value });
+        }
+        self.array_operation(e, op, (left, right), (a, b))
+    }
+
+    /// An operation with two operands at hand, at least one of them an array.
+    fn array_operation(
+        &mut self,
+        e: ExprId,
+        op: Binary,
+        (left, right): (ExprId, ExprId),
+        (a, b): (TokenStream, TokenStream),
+    ) -> TokenStream {
+        let ty = self.context.inner_type(self.ty(e));
+        let site = self.context.site(e);
+        let (sparse_a, sparse_b) = (self.ty(left).is_sparse(), self.ty(right).is_sparse());
+        let all_dynamic = ![left, right, e].iter().any(|e| is_copy(self.ty(*e)));
+        let sequence = matches!(self.ty(left), Type::Sequence { .. });
         match op {
             Binary::Add if sparse_a && sparse_b => quote!((#a + #b)),
             Binary::Subtract if sparse_a && sparse_b => quote!((#a - #b)),
@@ -365,7 +391,7 @@ impl Body<'_> {
             Binary::Subtract => quote!(rt::zip::<#ty>(#a, #b, |x, y| x - y)),
             Binary::Product if sparse_a && sparse_b => quote!((#a * #b)),
             Binary::Product if sparse_a => quote!(rt::sparse_product::<#ty>(#a, #b)),
-            Binary::Product if dynamic && !sparse_b => quote!((#a * #b)),
+            Binary::Product if all_dynamic && !sparse_b => quote!((#a * #b)),
             Binary::Product if sparse_b => quote!(rt::product_sparse::<#ty>(#a, #b)),
             Binary::Product => quote!(rt::product::<#ty>(#a, #b)),
             Binary::Hadamard => quote!(rt::zip::<#ty>(#a, #b, |x, y| x * y)),
@@ -383,4 +409,27 @@ impl Body<'_> {
             other => panic!("bug in iheartmesh: no Rust for {other:?} of arrays"),
         }
     }
+}
+
+/// Checks that sizes of operands agree, which are at hand by reference under these names.
+fn agreements(
+    pairs: &[(Axis, Axis)],
+    names: &[(ExprId, TokenStream)],
+    site: &TokenStream,
+) -> TokenStream {
+    let size = |(operand, axis): &Axis| {
+        let name = names
+            .iter()
+            .find(|(e, _)| e == operand)
+            .map(|(_, name)| name);
+        match axis {
+            0 => quote!(rt::Array::rows(#name) as i64),
+            _ => quote!(rt::Array::columns(#name) as i64),
+        }
+    };
+    let checks = pairs.iter().map(|(a, b)| {
+        let (a, b) = (size(a), size(b));
+        quote!(rt::agree(#a, #b, #site)?;)
+    });
+    quote!(#(#checks)*)
 }

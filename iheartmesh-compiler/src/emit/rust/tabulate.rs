@@ -93,6 +93,14 @@ impl Body<'_> {
                     _ => None,
                 };
                 let length = length.map_or(quote!(0usize), |n| quote!(rt::size(#n)));
+                let check = crate::ir::is_of_unknown_size(self.ty(*body)).then(|| {
+                    let site = self.context.site(e);
+                    quote! {
+                        for item in &items {
+                            rt::agree(rt::Array::rows(item) as i64, rt::Array::rows(&items[0]) as i64, #site)?;
+                        }
+                    }
+                });
                 let (rows, columns, put) = match layout {
                     Layout::Rows => (
                         quote!(items.len()),
@@ -111,6 +119,7 @@ impl Body<'_> {
                         #before
                         items.push(#value);
                     }
+                    #check
                     <#ty as rt::Build>::build(#rows, #columns, |i, j| #put)
                 })
             }
