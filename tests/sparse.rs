@@ -1,5 +1,6 @@
 //! Sparse matrices: equations, operators, blocks, against nalgebra's dense ones, with and without optimisations.
 
+use iheartmesh::glam::DVec3;
 use iheartmesh::sprs::{CsMat, TriMat};
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
@@ -43,6 +44,23 @@ programs! {
         t = first(A)
         g ∈ ℝ^(n×m) → ℝ
         u = g(A)
+    "#;
+
+    Sums, PlainSums = r#"
+        W ∈ ℝ^(n×m) sparse
+        x ∈ ℝ^m
+        u ∈ ℝ^n
+        p_j ∈ ℝ³
+        y_i = ∑_j W_ij x_j
+        z_i = ∑_(j for j ≠ i) 2 W_ij
+        c = ∑_i W_i,2 u_i²
+        q_i = ∑_j -W_ij p_j / 2
+        e = ∑_i ∑_j u_i W_ij x_j
+        o = ∑_j (W_1,j + x_j)
+        a = ∑_(j = 1)^2 W_2,j
+        S = W Wᵀ
+        r_i = ∑_j S_ij
+        row(k) = ∑_j W_kj x_j where k ∈ ℤ
     "#;
 }
 
@@ -136,5 +154,30 @@ for_both! {
         let product = a.component_mul(&d.transpose()).sum();
         assert!((m.f() - (2.0 * product + a.norm())).abs() < 1e-12);
         assert_eq!((m.t(), m.u()), (a.sum(), 6.0));
+    }
+
+    #[test]
+    fn sums_along_rows_and_columns() {
+        let w = dmatrix![0.0, 2.0, 0.0, -1.0; 3.0, 0.0, 0.0, 0.0; 0.0, 0.0, 0.0, 0.0];
+        let (x, u) = (dvector![1.0, 2.0, 3.0, 4.0], dvector![5.0, 6.0, 7.0]);
+        let p: Vec<DVec3> = (0..4).map(|j| DVec3::new(1.0, f64::from(j), 2.0)).collect();
+        for stored in [sparse(&w).to_csc(), sparse(&w).to_csr()] {
+            let m = Sums::new(stored, &x, &u, &p).expect("valid");
+            assert_eq!(m.y(), &w * &x);
+            assert_eq!(m.z(), DVector::from_fn(3, |i, _| 2.0 * (w.row(i).sum() - w[(i, i)])));
+            assert_eq!(m.c(), 2.0 * 25.0);
+            let expected = |i: usize| (0..4).map(|j| -w[(i, j)] * p[j] / 2.0).sum::<DVec3>();
+            assert_eq!(m.q(), vec![expected(0), expected(1), expected(2)]);
+            assert_eq!(m.e(), u.dot(&(&w * &x)));
+            assert_eq!((m.o(), m.a()), (1.0 + 10.0, 3.0));
+            assert_eq!(m.r(), &w * w.transpose() * dvector![1.0, 1.0, 1.0]);
+            assert_eq!(m.row(2), 3.0);
+            for k in [0, 4] {
+                let error = m.try_row(k).expect_err("no such row").to_string();
+                assert!(error.contains("the matrix has no such entry in `W_kj`"), "{error}");
+            }
+            let error = Sums::new(sparse(&w), &x, &u, &p[..3]).expect("checked later").try_q();
+            assert!(error.expect_err("too short").to_string().contains("two sizes differ"));
+        }
     }
 }

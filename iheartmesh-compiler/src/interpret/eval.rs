@@ -132,6 +132,18 @@ impl<'a> Interpreter<'a> {
                 sizes,
                 body,
             } => self.tabulate(scope, e, *layout, variables, sizes, *body)?,
+            Kind::Stored(matrix, axis, index) => {
+                let matrix = reals(self.eval(scope, *matrix)?);
+                let matrix = if *axis == 0 {
+                    matrix
+                } else {
+                    matrix.transpose()
+                };
+                let row = from_one(self.number(scope, *index)?, matrix.nrows());
+                let row = matrix.row(row.ok_or_else(|| self.fault(e))?);
+                let stored = (1..).zip(row.iter()).filter(|(_, entry)| **entry != 0.0);
+                Value::set(stored.map(|(k, _)| Value::Integer(k)).collect::<Vec<_>>())
+            }
             Kind::Scatter {
                 variable,
                 set,

@@ -105,6 +105,7 @@ impl Interpreter<'_> {
                 Value::Element(id) => Value::Integer(i64::from(id) + 1),
                 other => panic!("bug in iheartmesh: {other} is no element"),
             },
+            Unary::ByRows | Unary::ByColumns => a,
             Unary::FromHost => a.counted(),
             Unary::Apply(function) => match a {
                 Value::Real(x) => Value::Real(elementary(function, x)),

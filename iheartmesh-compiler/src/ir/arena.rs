@@ -231,6 +231,7 @@ macro_rules! each_operand {
             | Kind::Component(a, b)
             | Kind::Item(a, b)
             | Kind::RowOf(a, b)
+            | Kind::Stored(a, _, b)
             | Kind::ColumnOf(a, b)
             | Kind::SetOp(_, a, b)
             | Kind::SetItem(a, b)

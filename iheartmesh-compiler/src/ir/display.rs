@@ -266,6 +266,10 @@ impl Writer<'_> {
                 self.expr(*body);
                 self.put(")");
             }
+            Kind::Stored(matrix, axis, index) => {
+                let name = ["stored columns", "stored rows"][usize::from(*axis)];
+                self.call(name, &[*matrix, *index]);
+            }
             Kind::Scatter {
                 variable,
                 set,

@@ -37,7 +37,7 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         | Kind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, ..) => {
             "an integer is too large"
         }
-        Kind::At(..) => "the matrix has no such entry",
+        Kind::At(..) | Kind::Stored(..) => "the matrix has no such entry",
         Kind::Scatter { .. } => "a place lies outside of the matrix",
         Kind::Update(..) => "a place that is set does not exist",
         Kind::RowOf(..) => "the matrix has no such row",

@@ -90,6 +90,10 @@ pub enum Unary {
     ToReal,
     /// The mathematical number of an element: its host number plus one.
     ToInteger,
+    /// The same sparse matrix, stored so that its rows can be walked along.
+    ByRows,
+    /// The same sparse matrix, stored so that its columns can be walked along.
+    ByColumns,
     /// Integers that the host counts from 0, counted from 1: each integer in the value plus one.
     FromHost,
     /// A function of one real number, or of each entry of a vector.
@@ -282,6 +286,9 @@ pub enum Kind {
     Size(Dimension),
     /// An entry of a matrix, by its numbers from 1.
     At(ExprId, ExprId, ExprId),
+    /// Of a sparse matrix the set of the columns in which a row has stored entries (0), or of the rows in which a column
+    /// has (1); all are numbers from 1. The matrix is [`Unary::ByRows`] or [`Unary::ByColumns`].
+    Stored(ExprId, u8, ExprId),
     /// A row of a matrix as a vector, by its number from 1.
     RowOf(ExprId, ExprId),
     /// A column of a matrix as a vector, by its number from 1.

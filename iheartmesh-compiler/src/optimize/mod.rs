@@ -9,6 +9,7 @@ mod inline;
 mod locals;
 pub use inline::reachable;
 pub use locals::is_read_from_row;
+mod nonzeros;
 mod orbits;
 mod plan;
 pub use plan::{MayFail, may_overflow};
@@ -29,6 +30,8 @@ pub struct Optimizations {
     pub traverse: bool,
     /// Calls of functions that mix topology and values are replaced by their bodies.
     pub inline: bool,
+    /// Sums along rows and columns of sparse matrices run over their stored entries.
+    pub nonzeros: bool,
     /// Expressions are brought to a common form, and computed once outside of loops.
     pub share: bool,
     /// What depends only on the mesh is computed once per mesh and stored in tables.
@@ -45,6 +48,7 @@ impl Optimizations {
     pub const ALL: Self = Self {
         traverse: true,
         inline: true,
+        nonzeros: true,
         share: true,
         plan: true,
         fields: true,
@@ -54,6 +58,7 @@ impl Optimizations {
     pub const NONE: Self = Self {
         traverse: false,
         inline: false,
+        nonzeros: false,
         share: false,
         plan: false,
         fields: false,
@@ -61,8 +66,9 @@ impl Optimizations {
     };
 
     /// Names of the switches, in the order of the passes.
-    pub const NAMES: [&'static str; 6] =
-        ["traverse", "inline", "share", "plan", "fields", "orbits"];
+    pub const NAMES: [&'static str; 7] = [
+        "traverse", "inline", "nonzeros", "share", "plan", "fields", "orbits",
+    ];
 
     /// Sets a switch by its name; `false` when there is none of this name.
     pub fn set(&mut self, name: &str, on: bool) -> bool {
@@ -72,6 +78,7 @@ impl Optimizations {
             "share" => &mut self.share,
             "plan" => &mut self.plan,
             "fields" => &mut self.fields,
+            "nonzeros" => &mut self.nonzeros,
             "orbits" => &mut self.orbits,
             _ => return false,
         };
@@ -214,6 +221,9 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     }
     if optimizations.inline {
         inline::run(&mut program);
+    }
+    if optimizations.nonzeros {
+        nonzeros::run(&mut program);
     }
     if optimizations.share {
         share::run(&mut program);

@@ -313,7 +313,7 @@ impl MayFail {
         }
         match arena.kind(e) {
             Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
-            Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) => true,
+            Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
             Kind::Scatter { .. } | Kind::Update(..) => true,
             Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
@@ -338,7 +338,8 @@ impl MayFail {
                 !arena.ty(*index).is_element() || !matches!(arena.kind(*sequence), Kind::Input(_))
             }
             Kind::Call(id, _) => self.function(*id),
-            Kind::Global(id) => self.globals[id.0 as usize],
+            // a pass may have added some since
+            Kind::Global(id) => self.globals.get(id.0 as usize).copied().unwrap_or(true),
             _ => false,
         }
     }

@@ -4,6 +4,7 @@ use sprs::{CsMat, TriMat};
 
 use super::array::{Array, Build};
 use super::{Fallible, Fault};
+use crate::Set;
 
 /// The sparse matrix with these numbers on its diagonal.
 pub fn sparse_diagonal(entries: &[f64]) -> CsMat<f64> {
@@ -76,6 +77,15 @@ pub fn add_at(
     let column = super::index(column, matrix.cols(), fault)?;
     matrix.add_triplet(row, column, value);
     Ok(())
+}
+
+/// The numbers, from 1, of the entries that a row, by its number from 1, of a matrix in compressed rows has, or a column
+/// of one in compressed columns.
+pub fn stored(matrix: &CsMat<f64>, number: i64, fault: Fault) -> Fallible<Set<i64>> {
+    let outer = super::index(number, matrix.outer_dims(), fault)?;
+    let entries = matrix.outer_view(outer);
+    let numbers = entries.iter().flat_map(|entries| entries.indices());
+    Ok(numbers.map(|k| *k as i64 + 1).collect())
 }
 
 /// The identity.

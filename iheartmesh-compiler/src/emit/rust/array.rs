@@ -307,6 +307,8 @@ impl Body<'_> {
             Unary::AbsolutePart => quote!(rt::with_eigenvalues::<#ty>(#a, f64::abs)),
             Unary::Reshape if self.ty(e).is_sparse() => quote!(rt::sparse(#a)),
             Unary::Reshape => quote!(rt::reshape::<#ty>(#a)),
+            Unary::ByRows => quote!((#a).to_csr()),
+            Unary::ByColumns => quote!((#a).to_csc()),
             Unary::FromHost => quote!(rt::HostCounted::counted(#a)),
             Unary::Absolute | Unary::SquareRoot | Unary::ToInteger => {
                 panic!("bug in iheartmesh: {op:?} of an array")

@@ -181,6 +181,11 @@ impl Body<'_> {
             }
             Kind::Fold { .. } => self.fold(e),
             Kind::Tabulate { .. } => self.tabulate(e),
+            Kind::Stored(matrix, _, index) => {
+                let site = self.context.site(e);
+                let (matrix, index) = (self.reference(*matrix), self.owned(*index));
+                quote!(rt::stored(#matrix, #index, #site)?)
+            }
             Kind::Scatter { .. } => self.scatter(e),
             Kind::Update(base, entries) => self.update(e, *base, entries),
             _ if self.is_array(e) => self.array(e),
