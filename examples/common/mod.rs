@@ -9,4 +9,6 @@ mod lettering;
 pub mod picture;
 mod raster;
 pub mod surface;
+pub mod tetrahedra;
 pub mod timing;
+pub mod wave;

@@ -54,6 +54,8 @@ struct Panel {
     triangles: Vec<Triangle>,
     /// One for each vertex; none if the surface is plain.
     values: Vec<f64>,
+    /// Without light and edges.
+    is_chart: bool,
 }
 
 /// A triangle of a polygon.
@@ -158,6 +160,14 @@ impl Picture {
         self
     }
 
+    /// Draws the surface that was added last as a chart: without light, shadow and edges.
+    pub fn chart(mut self) -> Picture {
+        if let Some(panel) = self.panels.last_mut() {
+            panel.is_chart = true;
+        }
+        self
+    }
+
     /// Draws the picture and writes it, with the directories on the way to `path`.
     ///
     /// # Errors
@@ -194,6 +204,7 @@ impl Picture {
             positions,
             triangles,
             values,
+            is_chart: false,
         });
         self
     }
@@ -350,8 +361,11 @@ impl Picture {
                     (Some(values), Some(scale)) => scale.colour(values.dot(weights)),
                     _ => PLAIN,
                 };
-                let mut light = brightness(normal, fragment.front);
-                if self.edges && fragment.is_on_side(triangle.sides) {
+                let mut light = match panel.is_chart {
+                    true => 1.0,
+                    false => brightness(normal, fragment.front),
+                };
+                if self.edges && !panel.is_chart && fragment.is_on_side(triangle.sides) {
                     light *= 0.55;
                 }
                 if let (Some(values), Some(scale), 1..) = (values, scale, self.contours)

@@ -1,7 +1,7 @@
 //! The surface that an example works on, and the frame of its program.
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -23,8 +23,8 @@ pub(crate) use say;
 /// Where examples put their results, in the folder they were started in.
 pub const OUTPUT: &str = "out";
 
-/// The surface that is taken when none is named.
-const SPOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/meshes/spot.ply");
+/// The surface that is taken when none is named, from the root of the repository.
+const SPOT: &str = "meshes/spot.ply";
 
 /// A surface mesh from a file.
 pub struct Surface {
@@ -41,13 +41,22 @@ pub struct Surface {
 /// Runs an example on the file that its argument names, or on Spot the cow. Mistakes of the user and
 /// bad files end the program with a message and the exit code 1.
 pub fn run(example: &str, study: fn(&Surface) -> Result<(), Box<dyn Error>>) -> ExitCode {
+    run_on(example, SPOT, study)
+}
+
+/// As [`run`], on another surface than Spot; its path is that from the root of the repository.
+pub fn run_on(
+    example: &str,
+    bundled: &str,
+    study: fn(&Surface) -> Result<(), Box<dyn Error>>,
+) -> ExitCode {
     let usage = format!(
         "usage: cargo run --release --example {example} [-- FILE]\n\
-         FILE is a mesh in OBJ, OFF or PLY; without it, meshes/spot.ply is taken."
+         FILE is a mesh in OBJ, OFF or PLY; without it, {bundled} is taken."
     );
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
     let path = match &arguments[..] {
-        [] => PathBuf::from(SPOT),
+        [] => in_repository(bundled),
         [argument] if argument == "--help" || argument == "-h" => {
             say!("{usage}");
             return ExitCode::SUCCESS;
@@ -89,7 +98,7 @@ impl Surface {
         let runs = runs_for(file.positions.len()).min(20);
         let (construction, mesh) = time_best_of(runs, || file.face_mesh());
         // Spot looks along -z, other surfaces in any direction.
-        let view = if path.as_os_str() == SPOT {
+        let view = if path == in_repository(SPOT) {
             (218.0, 14.0)
         } else {
             (-35.0, 20.0)
@@ -198,6 +207,10 @@ impl Surface {
     pub fn runs(&self) -> usize {
         runs_for(self.positions.len())
     }
+}
+
+fn in_repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
 fn runs_for(n_vertices: usize) -> usize {

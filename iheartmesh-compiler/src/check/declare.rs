@@ -97,9 +97,16 @@ impl Checker<'_> {
             );
             return None;
         }
-        let declared = self.in_module(ModuleId(0), |checker| {
+        let mut declared = self.in_module(ModuleId(0), |checker| {
             checker.declared(declaration, place.2)
         });
+        if declared.within.is_some() && matches!(declared.ty, Type::Sequence { .. }) {
+            self.unsupported(
+                declaration.span,
+                "sequences of elements as parameters of a module are",
+            );
+            declared = Declared::plain(Type::Error);
+        }
         self.declare_input(place, declaration, declared);
         self.inputs.get(&place).copied()
     }
@@ -129,8 +136,13 @@ impl Checker<'_> {
     /// The type that a declaration gives to one of its targets.
     pub(super) fn declared(&mut self, declaration: &Declaration, target: usize) -> Declared {
         if let TypeKind::Named(set) = &declaration.ty.kind {
-            let declared = self.declared_by_set(declaration, set);
+            let mut declared = self.declared_by_set(declaration, set);
             self.with_attribute(declaration, declared.ty.clone());
+            if let Some(letter) = &declaration.targets[target].subscript
+                && !declared.ty.is_error()
+            {
+                declared.ty = sequence_of(declared.ty, &letter.text);
+            }
             return declared;
         }
         if declaration.relation == Relation::Subset {
@@ -149,11 +161,7 @@ impl Checker<'_> {
             }
             item => item,
         };
-        Declared::plain(Type::Sequence {
-            item: Box::new(item),
-            length: Dimension::atom(Atom::Length(letter.text.clone())),
-            index: None,
-        })
+        Declared::plain(sequence_of(item, &letter.text))
     }
 
     fn no_subset(&mut self, declaration: &Declaration) {
@@ -419,5 +427,14 @@ impl Checker<'_> {
             self.unsupported(e.span, "this way to write a size is");
             Dimension::known(0)
         })
+    }
+}
+
+/// The sequence that a subscript behind a declared name makes of its type.
+fn sequence_of(item: Type, letter: &str) -> Type {
+    Type::Sequence {
+        item: Box::new(item),
+        length: Dimension::atom(Atom::Length(letter.to_owned())),
+        index: None,
     }
 }

@@ -247,6 +247,33 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The type of two sequences of the same items: of a length that is known only at run time where theirs differ.
+    fn common_sequence(&mut self, a: &Type, b: &Type) -> Option<Type> {
+        let (
+            Type::Sequence {
+                item,
+                length: n,
+                index: i,
+            },
+            Type::Sequence {
+                item: other,
+                length: m,
+                index: j,
+            },
+        ) = (a, b)
+        else {
+            return None;
+        };
+        (item == other).then(|| Type::Sequence {
+            item: item.clone(),
+            length: match n == m {
+                true => n.clone(),
+                false => self.new_dimension(),
+            },
+            index: i.filter(|_| i == j),
+        })
+    }
+
     fn piecewise(
         &mut self,
         e: &'a Expr,
@@ -279,6 +306,8 @@ impl<'a> Checker<'a> {
                     (ty, false) if ty == other => ty.clone(),
                     _ => shape.real(),
                 };
+            } else if let Some(sequence) = self.common_sequence(&ty, other) {
+                ty = sequence;
             } else if *other != ty {
                 let (a, b) = self.described_both(&ty, other);
                 let message = format!("the branches differ: {a} and {b}");

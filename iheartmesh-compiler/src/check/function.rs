@@ -39,12 +39,15 @@ impl<'a> Checker<'a> {
         let declared = self.in_module(module, |checker| checker.parameters(syntax));
         let mut shown = Vec::new();
         for (name, declared) in &declared {
-            shown.push(if declared.within_name.is_empty() {
-                format!("{} ∈ {}", name.text, declared.ty)
-            } else if matches!(declared.ty, Type::Set(_)) {
-                format!("{} ⊂ {}", name.text, declared.within_name)
-            } else {
-                format!("{} ∈ {}", name.text, declared.within_name)
+            let (name, set) = (&name.text, &declared.within_name);
+            shown.push(match &declared.ty {
+                ty if set.is_empty() => format!("{name} ∈ {ty}"),
+                Type::Set(_) => format!("{name} ⊂ {set}"),
+                Type::Sequence { item, .. } => match **item {
+                    Type::Set(_) => format!("{name}_i ⊂ {set}"),
+                    _ => format!("{name}_i ∈ {set}"),
+                },
+                _ => format!("{name} ∈ {set}"),
             });
         }
         let signature = Signature {

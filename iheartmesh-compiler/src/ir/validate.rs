@@ -69,7 +69,7 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
             "a quotient by something other than a real number",
         ),
         Kind::If(condition, a, b) => check(
-            *ty(*condition) == Type::Boolean && ty(*a) == ty(e) && ty(*b) == ty(e),
+            *ty(*condition) == Type::Boolean && [a, b].iter().all(|x| is_case(ty(**x), ty(e))),
             "a choice between different types",
         ),
         Kind::SetOp(_, a, b) => check(ty(*a) == ty(*b), "an operation on different sets"),
@@ -109,5 +109,13 @@ fn are_alike(a: &Type, b: &Type) -> bool {
                 && a.is_sparse() == b.is_sparse()
         }
         _ => a == b,
+    }
+}
+
+/// Whether a value of this type may be a case of a choice: the cases may be sequences of different lengths.
+fn is_case(case: &Type, choice: &Type) -> bool {
+    match (case, choice) {
+        (Type::Sequence { item: a, .. }, Type::Sequence { item: b, .. }) => a == b,
+        _ => case == choice,
     }
 }

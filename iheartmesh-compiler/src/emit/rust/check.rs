@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Context, names};
-use crate::ir::{ExprId, Function, GlobalId, Input, InputId, Kind};
+use crate::ir::{ExprId, Function, GlobalId, Input, InputId, Kind, Parameter};
 use crate::types::{Atom, Element, Type};
 
 impl Context<'_> {
@@ -140,6 +140,9 @@ impl Context<'_> {
             .map(|p| {
                 let name = names::argument(&p.name);
                 let (called, written, set) = (&function.name, &p.name, &p.within_name);
+                if let Type::Sequence { item, .. } = &p.ty && p.within.is_some() {
+                    return self.item_checks(function, p, item);
+                }
                 if let Some(members) = self.members(p.within) {
                     return match p.ty.is_element() {
                         true => quote!(rt::check_member(#called, #written, #name, #members, #set)?;),
@@ -170,6 +173,30 @@ impl Context<'_> {
                 }
             })
             .collect()
+    }
+
+    /// Checks the items of a sequence of elements, or of sets of elements, that are declared to be in a set.
+    fn item_checks(&self, function: &Function, p: &Parameter, item: &Type) -> TokenStream {
+        let name = names::argument(&p.name);
+        let (called, written, set) = (&function.name, &p.name, &p.within_name);
+        let check = match (self.members(p.within), item, item.element_of_set()) {
+            (Some(members), Type::Element(_), _) => {
+                quote!(rt::check_member(#called, #written, *item, #members, #set)?;)
+            }
+            (Some(members), ..) => {
+                quote!(rt::check_members(#called, #written, item, #members, #set)?;)
+            }
+            (None, Type::Element(element), _) => {
+                let n = self.count(*element);
+                quote!(rt::check_argument(#called, #written, *item, #n, #set)?;)
+            }
+            (None, _, Some(element)) => {
+                let n = self.count(element);
+                quote!(rt::check_set_argument(#called, #written, item, #n, #set)?;)
+            }
+            _ => return TokenStream::new(),
+        };
+        quote!(for item in #name.as_ref() { #check })
     }
 
     /// The numbers of the members of the set that something is declared to be in, as a slice, where that is not all
