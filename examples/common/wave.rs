@@ -41,9 +41,10 @@ pub fn march(
     distances
 }
 
-/// Distances from the first of the levels, each of which holds the neighbours of the one before: all vertices of a band
-/// of levels are updated at once, the band grows by a level in each round, and leaves a level behind when the distances
-/// there change by less than a part of `tolerance`. Returns the number of rounds, too.
+/// Distances from the first of the levels, each of which holds the neighbours of the one before. In each round all
+/// vertices of a level are updated if a distance there or in a level beside it changed in the round before, by more than
+/// a part of `tolerance`: a band of levels that runs over the surface, and back where a way around was shorter.
+/// Returns the number of rounds, too.
 ///
 /// `update(v, d)` is the distance of `v` from the distances `d` so far.
 pub fn propagate<'a, Level>(
@@ -55,27 +56,29 @@ pub fn propagate<'a, Level>(
 where
     &'a Level: IntoIterator<Item = &'a Vertex>,
 {
-    let Some((sources, levels)) = levels.split_first() else {
-        return (starting_at(mesh, &[]), 0);
-    };
-    let sources: Vec<Vertex> = sources.into_iter().copied().collect();
-    let mut distances = starting_at(mesh, &sources);
-    let (mut first, mut rounds) = (0, 0);
-    while first < levels.len() {
+    let sources = levels.iter().take(1).flatten().copied();
+    let mut distances = starting_at(mesh, &sources.collect::<Vec<Vertex>>());
+    let mut has_changed: Vec<bool> = (0..levels.len()).map(|level| level == 0).collect();
+    let mut rounds = 0;
+    while has_changed.contains(&true) {
         rounds += 1;
-        let band = &levels[first..levels.len().min(rounds)];
-        let change = |vertex: &Vertex| (*vertex, update(*vertex, &distances));
-        let found: Vec<Vec<(Vertex, f64)>> = band
-            .iter()
-            .map(|level| level.into_iter().map(change).collect())
-            .collect();
-        let settled = |level: &&Vec<(Vertex, f64)>| {
-            let mut changes = level.iter().map(|(v, to)| (distances[v.index()], *to));
-            changes.all(|(from, to)| from == to || (from - to).abs() <= tolerance * to)
+        let is_beside = |level: usize| {
+            let beside = level.saturating_sub(1)..levels.len().min(level + 2);
+            has_changed[beside].contains(&true)
         };
-        first += found.iter().take_while(settled).count();
-        for (vertex, distance) in found.into_iter().flatten() {
-            distances[vertex.index()] = distance;
+        let in_band = (1..levels.len()).filter(|level| is_beside(*level));
+        let found: Vec<(usize, Vertex, f64)> = in_band
+            .flat_map(|level| {
+                levels[level]
+                    .into_iter()
+                    .map(move |vertex| (level, *vertex))
+            })
+            .map(|(level, vertex)| (level, vertex, update(vertex, &distances)))
+            .collect();
+        has_changed.fill(false);
+        for (level, vertex, distance) in found {
+            let before = std::mem::replace(&mut distances[vertex.index()], distance);
+            has_changed[level] |= before - distance > tolerance * distance;
         }
     }
     (distances, rounds)

@@ -129,6 +129,11 @@ fn sets() {
 }
 
 #[test]
+fn sequences() {
+    check(&small("sequences"));
+}
+
+#[test]
 fn vectors() {
     check(&small("vectors"));
 }

@@ -112,7 +112,17 @@ impl fmt::Display for Type {
                 sized(f, *number, &size(rows, columns))?;
                 f.write_str(if *sparse { " sparse" } else { "" })
             }
-            Type::Sequence { item, .. } => write!(f, "sequence of {item}"),
+            Type::Sequence { item, .. } => match &**item {
+                Type::Element(element) => write!(f, "sequence of {}", plural(element.kind)),
+                Type::Set(_) if item.element_of_set().is_some() => {
+                    write!(
+                        f,
+                        "sequence of {}",
+                        item.to_string().replacen("set", "sets", 1)
+                    )
+                }
+                item => write!(f, "sequence of {item}"),
+            },
             Type::Set(item) => match **item {
                 Type::Element(element) => write!(f, "set of {}", plural(element.kind)),
                 _ => write!(f, "{{{item}}}"),
