@@ -60,8 +60,8 @@ fn solid_angles_of_a_cube() {
     for n_sides in 1..=6 {
         let triangles: Vec<[u32; 3]> = halves[..n_sides].iter().flatten().copied().collect();
         let mesh = FaceMesh::from_triangles(8, &triangles).unwrap();
-        let a = Winding::new(&mesh, &corners).unwrap();
-        let b = PlainWinding::new(&mesh, &corners).unwrap();
+        let a = Winding::new(&mesh, corners).unwrap();
+        let b = PlainWinding::new(&mesh, corners).unwrap();
         let middle = DVec3::splat(0.5);
         for w in [a.w(middle), b.w(middle)] {
             assert!((w - n_sides as f64 / 6.0).abs() < 1e-14, "{w}");
