@@ -141,7 +141,7 @@ impl Context<'_> {
                 let name = names::argument(&p.name);
                 let (called, written, set) = (&function.name, &p.name, &p.within_name);
                 if let Type::Sequence { item, .. } = &p.ty && p.within.is_some() {
-                    return self.item_checks(function, p, item);
+                    return self.argument_item_checks(function, p, item);
                 }
                 if let Some(members) = self.members(p.within) {
                     return match p.ty.is_element() {
@@ -176,7 +176,7 @@ impl Context<'_> {
     }
 
     /// Checks the items of a sequence of elements, or of sets of elements, that are declared to be in a set.
-    fn item_checks(&self, function: &Function, p: &Parameter, item: &Type) -> TokenStream {
+    fn argument_item_checks(&self, function: &Function, p: &Parameter, item: &Type) -> TokenStream {
         let name = names::argument(&p.name);
         let (called, written, set) = (&function.name, &p.name, &p.within_name);
         let check = match (self.members(p.within), item, item.element_of_set()) {
