@@ -68,11 +68,11 @@ fn check(text: &str, spelling: Spelling, expected: Expect) {
     expected.assert_eq(&format(text, spelling));
 }
 
-/// What users read first is formatted: `cargo hlangc fmt examples/*.hlang neighborhoods/src/*.hlang`.
+/// What users read first is formatted: `cargo hlangc fmt examples/*.hlang examples/*/*.hlang neighborhoods/src/*.hlang`.
 #[test]
 fn examples_and_the_library_are_formatted() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    for folder in ["examples", "neighborhoods/src"] {
+    for folder in ["examples", "examples/gallery", "neighborhoods/src"] {
         for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
             let path = entry.expect("a readable folder").path();
             if path
