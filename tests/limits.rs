@@ -29,6 +29,14 @@ programs! {
         t = Qᵀ Q
     "#;
 
+    Lengths, PlainLengths = r#"
+        w ∈ ℝ^n
+        f(u, v) = u + v where u, v ∈ ℝ^p
+        g(u) = u + w where u ∈ ℝ^n
+        h(A, v) = A v where A ∈ ℝ^(3×p), v ∈ ℝ^p
+        l(a, b) = (a, a) + b where a ∈ ℝ^p, b ∈ ℝ^(2p)
+    "#;
+
     Kernels, PlainKernels = r#"
         null from linearalgebra
         A ∈ ℝ^(m×n)
@@ -91,6 +99,38 @@ fn nothing_to_compute_with() {
     // the type says how long rows would be
     assert_eq!(module.R().shape(), (0, 3));
     assert_eq!(module.C().shape(), (3, 0));
+}
+
+#[test]
+fn sizes_of_arguments() {
+    let (two, three) = (dvector![1.0, 2.0], dvector![1.0, 2.0, 3.0]);
+    let module = Lengths::new(&two).unwrap();
+    assert_eq!(module.f(&three, &three).len(), 3);
+    assert_eq!(module.l(&two, dvector![0.0, 0.0, 0.0, 1.0])[3], 3.0);
+    for (error, expected) in [
+        (
+            module.try_f(&two, &three).unwrap_err(),
+            "the length of `v` is 3 but should be 2: it is `p`, and `u` says so",
+        ),
+        (
+            module.try_g(&three).unwrap_err(),
+            "the length of `u` is 3 but should be 2: it is `n`, and `w` says so",
+        ),
+        (
+            module.try_h(dmatrix![1.0, 2.0], &two).unwrap_err(),
+            "the number of rows of `A` is 1 but should be 3",
+        ),
+        (
+            module.try_h(DMatrix::zeros(3, 3), &two).unwrap_err(),
+            "the length of `v` is 2 but should be 3: it is `p`, and `A` says so",
+        ),
+        (
+            module.try_l(&two, &three).unwrap_err(),
+            "the length of `b` is 3 but should be 4: it is `2p`, and `a` says so",
+        ),
+    ] {
+        assert_eq!(error.to_string(), expected);
+    }
 }
 
 #[test]

@@ -114,8 +114,12 @@ impl fmt::Display for Error {
             } => {
                 write!(
                     f,
-                    "the {what} of `{parameter}` is {found} but should be {expected}: it is `{written}`"
+                    "the {what} of `{parameter}` is {found} but should be {expected}"
                 )?;
+                if written.parse::<i64>().is_ok() {
+                    return Ok(());
+                }
+                write!(f, ": it is `{written}`")?;
                 match source.is_empty() || source == parameter {
                     true => write!(f, ", which has this value elsewhere"),
                     false => write!(f, ", and `{source}` says so"),

@@ -136,8 +136,27 @@ impl<'a> Interpreter<'a> {
                 arguments.len()
             ));
         }
+        let mut scope = Scope::default();
         for (parameter, value) in function.parameters.iter().zip(arguments) {
             let (name, ty) = (&parameter.name, &parameter.ty);
+            for (dimension, found) in axes(value, ty) {
+                // the length of a sequence is its own, whatever its letter
+                if matches!(dimension.as_atom(), Some(Atom::Length(_))) {
+                    continue;
+                }
+                match (self.size(&scope, &dimension), dimension.as_atom()) {
+                    (Some(expected), _) if expected != found => {
+                        return Err(format!(
+                            "a size of `{name}` is {found} but should be {expected}: it is `{dimension}`"
+                        ));
+                    }
+                    // the first place gives a size of the function its value
+                    (None, Some(atom)) => {
+                        scope.sizes.insert(atom.clone(), found);
+                    }
+                    _ => {}
+                }
+            }
             has_type(value, ty)
                 .map_err(|found| format!("`{name}` is {found} but should be {}", ty.described()))?;
             self.check_elements(name, value, ty, parameter.within)?;

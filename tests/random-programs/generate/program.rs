@@ -311,9 +311,15 @@ impl Generator {
         for function in self.functions.clone() {
             for _ in 0..2 {
                 sizes.own = size(&mut self.random);
-                let arguments = function.parameters.iter();
-                let arguments = arguments.map(|ty| datum(&mut self.random, *ty, &sizes));
-                calls.push((function.name.clone(), arguments.collect()));
+                let mut arguments = Vec::new();
+                for ty in &function.parameters {
+                    arguments.push(datum(&mut self.random, *ty, &sizes));
+                    // now and then a length that does not fit
+                    if self.chance(12) {
+                        sizes.own = size(&mut self.random);
+                    }
+                }
+                calls.push((function.name.clone(), arguments));
             }
         }
         Generated {

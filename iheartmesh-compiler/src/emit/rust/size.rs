@@ -113,6 +113,63 @@ impl Context<'_> {
         sizes
     }
 
+    /// Checks that arguments of a method have the sizes that their types say: those of the program, and each size of the
+    /// function alike wherever it stands. Arguments are at hand under their Rust names, the sizes in `s`.
+    pub(super) fn argument_size_checks(&self, parameters: &[Parameter]) -> TokenStream {
+        let mut checks = TokenStream::new();
+        let mut own: BTreeMap<Atom, (TokenStream, String)> = BTreeMap::new();
+        for parameter in parameters {
+            let name = super::names::argument(&parameter.name);
+            let rows = quote!(rt::Array::rows(#name.as_ref()) as i64);
+            let columns = quote!(rt::Array::columns(#name.as_ref()) as i64);
+            let axes = match &parameter.ty {
+                Type::Vector { length, .. } => vec![("length", length, rows)],
+                Type::Matrix {
+                    rows: n,
+                    columns: m,
+                    ..
+                } if !parameter.ty.is_fixed() => vec![
+                    ("number of rows", n, rows),
+                    ("number of columns", m, columns),
+                ],
+                _ => Vec::new(),
+            };
+            for (what, dimension, found) in axes {
+                if parameter.ty.is_fixed() {
+                    continue;
+                }
+                if let Some(atom) = dimension.as_atom()
+                    && !self.has_source(atom)
+                    && !matches!(atom, Atom::Count(_))
+                    && !own.contains_key(atom)
+                {
+                    own.insert(atom.clone(), (found, parameter.name.clone()));
+                    continue;
+                }
+                let values = own
+                    .iter()
+                    .map(|(atom, (value, _))| (atom.clone(), quote!((#value))));
+                let Some(expected) = self.known_size(dimension, &values.collect()) else {
+                    continue;
+                };
+                let atoms = || dimension.terms().flat_map(|(_, atoms)| atoms);
+                let source = atoms().find_map(|atom| match own.get(atom) {
+                    Some((_, source)) => Some(source.clone()),
+                    None => Some(self.program().input(self.size_source(atom)?).name.clone()),
+                });
+                let (written, source) = (dimension.to_string(), source.unwrap_or_default());
+                let parameter = &parameter.name;
+                checks.extend(
+                    quote!(rt::check_size(#parameter, #what, #found, #expected, #written, #source)?;),
+                );
+            }
+        }
+        match checks.is_empty() {
+            true => checks,
+            false => quote!({ let sizes = &s.sizes; #checks }),
+        }
+    }
+
     /// Whether an input gives a symbol its value.
     pub(super) fn has_source(&self, atom: &Atom) -> bool {
         self.size_source(atom).is_some()
