@@ -148,6 +148,11 @@ fn overloads() {
     check(&small("overloads"));
 }
 
+#[test]
+fn optima() {
+    check(&small("optima"));
+}
+
 /// The plan of one program without each of the optimisations, and without all.
 #[test]
 fn switches() {

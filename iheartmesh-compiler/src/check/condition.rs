@@ -3,7 +3,7 @@
 use super::Checker;
 use super::wording::{KINDS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind};
+use crate::ir::{Binary, ExprId, Kind};
 use crate::syntax::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind};
 use crate::types::Type;
 use crate::types::display::plural;
@@ -37,7 +37,39 @@ impl<'a> Checker<'a> {
         self.add(Kind::Fail, Type::Boolean)
     }
 
+    /// A comparison; with `±` it holds where it does with `+` or with `-`.
     fn compare(
+        &mut self,
+        condition: &'a Condition,
+        op: CompareOp,
+        left: &'a Expr,
+        right: &'a Expr,
+    ) -> ExprId {
+        let outer = self.plus_minus.replace((Binary::Add, 0));
+        let plus = self.compare_once(condition, op, left, right);
+        let uses = self
+            .plus_minus
+            .replace((Binary::Subtract, 0))
+            .map_or(0, |(_, uses)| uses);
+        let value = match uses {
+            0 => plus,
+            1 => {
+                let minus = self.compare_once(condition, op, left, right);
+                self.add(Kind::Or(plus, minus), Type::Boolean)
+            }
+            _ => {
+                self.report(
+                    Diagnostic::error(condition.span, "`±` stands here more than once")
+                        .help("one comparison has one `±`; write the others out with `or`"),
+                );
+                self.no_condition()
+            }
+        };
+        self.plus_minus = outer;
+        value
+    }
+
+    fn compare_once(
         &mut self,
         condition: &'a Condition,
         op: CompareOp,

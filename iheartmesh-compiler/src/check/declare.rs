@@ -172,7 +172,11 @@ impl Checker<'_> {
         );
     }
 
-    fn declared_by_set(&mut self, declaration: &Declaration, set: &ast::Name) -> Declared {
+    pub(super) fn declared_by_set(
+        &mut self,
+        declaration: &Declaration,
+        set: &ast::Name,
+    ) -> Declared {
         let value = match self.find(set) {
             Found::Value(value) => value,
             Found::Error => return Declared::plain(Type::Error),
@@ -352,6 +356,10 @@ impl Checker<'_> {
             }
             TypeKind::CellularSet => {
                 Type::CellularSet((self.program.meshes.len() == 1).then_some(MeshId(0)))
+            }
+            TypeKind::Members(set) => {
+                self.unsupported(set.span, "sets in the place of types are");
+                Type::Error
             }
             TypeKind::Named(name) => {
                 let help = format!(

@@ -108,7 +108,7 @@ impl<'a> Checker<'a> {
     /// Takes a tuple, set or vector apart.
     fn destructure(&mut self, definition: &ast::Definition, value: ExprId) -> Vec<ExprId> {
         let n = definition.targets.len();
-        let names: Vec<_> = definition
+        let names: Vec<String> = definition
             .targets
             .iter()
             .map(|t| format!("`{}`", t.name.text))
@@ -150,6 +150,14 @@ impl<'a> Checker<'a> {
             );
             return vec![error; n];
         }
+        // in a function equal values are computed once, those of a module are not known to each other
+        let value = match (self.scopes.is_empty(), &ty, self.program.arena.kind(value)) {
+            (_, _, Kind::Tuple(_)) => value,
+            (true, Type::Tuple(_), _) => {
+                self.named(&names.join(", ").replace('`', ""), value, definition.span)
+            }
+            _ => value,
+        };
         let whole = match &ty {
             Type::Set(_) => self.add_at(span, Kind::Sized(value, n as u32), ty.clone()),
             _ => value,

@@ -69,8 +69,8 @@ impl<'a> Checker<'a> {
                 rows,
                 columns,
             } => self.number_matrix(*ones, rows, columns.as_deref()),
-            ExprKind::Optimise { .. } => self.unsupported(e.span, "optimisation is"),
-            ExprKind::Integral { .. } => self.unsupported(e.span, "integrals are"),
+            ExprKind::Optimise { .. } => self.optimise(e),
+            ExprKind::Integral { .. } => self.integral(e),
             ExprKind::Derivative { .. }
             | ExprKind::Gradient { .. }
             | ExprKind::Laplacian(_)

@@ -16,17 +16,22 @@ mod entries;
 mod expr;
 mod fold;
 mod function;
+mod integral;
 mod linear;
 mod matrix;
 mod norm;
 mod operator;
+mod optimum;
 mod product;
+mod restriction;
 mod scope;
+mod search;
 mod set;
 mod single;
 mod sizes;
 mod sparse;
 mod subscript;
+mod variable;
 mod wording;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,6 +66,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         index_items: BTreeMap::new(),
         given: BTreeSet::new(),
         n_dynamic: 0,
+        plus_minus: None,
         circular: false,
         misfits: BTreeSet::new(),
     };
@@ -112,6 +118,8 @@ struct Checker<'a> {
     /// Symbols of sizes that parameters give.
     given: BTreeSet<String>,
     n_dynamic: u32,
+    /// What `±` stands for in the comparison that is being checked, and how often it stands there.
+    plus_minus: Option<(crate::ir::Binary, u32)>,
 }
 
 /// A place where an index stands alone as a subscript.

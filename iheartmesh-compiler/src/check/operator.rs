@@ -253,7 +253,17 @@ impl<'a> Checker<'a> {
                     self.mismatch(sides, "take the cross product of", "and", &ta, &tb, help)
                 }
             },
-            BinaryOp::PlusMinus => self.unsupported(e.span, "`±` is"),
+            BinaryOp::PlusMinus => match &mut self.plus_minus {
+                Some((sign, uses)) => {
+                    *uses += 1;
+                    let sign = *sign;
+                    self.sum(sides, sign, a, b)
+                }
+                None => self.report(
+                    Diagnostic::error(e.span, "`±` stands for two values")
+                        .help("only conditions may leave open which one, as in `x = a ± b`; otherwise write both"),
+                ),
+            },
             BinaryOp::Hadamard => match (ta.shape(), tb.shape()) {
                 (Some(x), Some(y)) if !differ(&x, &y) => self.entrywise(Binary::Hadamard, a, b, x),
                 _ => self.mismatch(sides, "multiply, entry by entry,", "and", &ta, &tb, "both sides must have the same size"),

@@ -61,10 +61,12 @@ impl<'a> Checker<'a> {
         check: impl FnOnce(&mut Self) -> T,
     ) -> T {
         let scopes = std::mem::take(&mut self.scopes);
+        let plus_minus = self.plus_minus.take();
         let before = std::mem::replace(&mut self.module, module);
         let value = check(self);
         self.module = before;
         self.scopes = scopes;
+        self.plus_minus = plus_minus;
         value
     }
 
@@ -131,7 +133,9 @@ impl<'a> Checker<'a> {
                 .names
                 .insert(left.name.text.clone(), Binding::Open);
         }
+        let plus_minus = self.plus_minus.take();
         let values = self.definition_values(definition);
+        self.plus_minus = plus_minus;
         for (left, value) in definition.targets.iter().zip(&values) {
             self.scopes[depth]
                 .names

@@ -182,6 +182,28 @@ impl Checker<'_> {
         self.given = given;
     }
 
+    /// Whether all sizes of a variable of this type are known; what is not is reported.
+    pub(super) fn are_sizes_known(&mut self, ty: &Type, span: Span) -> bool {
+        let mut given = self.given.clone();
+        given.extend(self.templates.keys().cloned());
+        let before = given.len();
+        self.report_sizes(ty, span, &mut given);
+        let Type::Sequence { length, .. } = ty else {
+            return given.len() == before;
+        };
+        let is_known = self.program.inputs.iter().any(
+            |input| matches!(&input.ty, Type::Sequence { length: other, .. } if other == length),
+        );
+        if !is_known && length.value().is_none() {
+            self.report(
+                Diagnostic::error(span, "the length of this sequence is not known")
+                    .here(format!("this is {}", ty.described()))
+                    .help("it is as long as a parameter with the same subscript letter"),
+            );
+        }
+        given.len() == before && is_known
+    }
+
     /// Reports symbols in the sizes of a type that are not `given`, each once.
     pub(super) fn report_sizes(&mut self, ty: &Type, span: Span, given: &mut BTreeSet<String>) {
         let mut sizes = Vec::new();

@@ -247,6 +247,12 @@ impl<'a> Interpreter<'a> {
                 true => self.eval(scope, *a)?,
                 false => self.eval(scope, *b)?,
             },
+            Kind::Optimum { .. } | Kind::Integral { .. } => {
+                return Err(Fault {
+                    expression: Some(e),
+                    reason: "the interpreter has no numerical methods,".to_owned(),
+                });
+            }
             Kind::Fail => return Err(self.fault(e)),
             Kind::Column(space, k) => {
                 let column = scope

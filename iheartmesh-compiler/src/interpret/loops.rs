@@ -94,14 +94,29 @@ impl<'a> Interpreter<'a> {
                     Fold::Min => CompareOp::Less,
                     _ => CompareOp::Greater,
                 };
-                let best =
-                    values
-                        .into_iter()
-                        .reduce(|best, value| match compare(better, &value, &best) {
-                            true => value,
-                            false => best,
-                        });
+                let best = values.into_iter().reduce(|best, value| {
+                    match is_better(better, &value, &best) {
+                        true => value,
+                        false => best,
+                    }
+                });
                 best.ok_or_else(|| self.fault(e))?
+            }
+            Fold::ArgMin | Fold::ArgMax => {
+                let better = match op {
+                    Fold::ArgMin => CompareOp::Less,
+                    _ => CompareOp::Greater,
+                };
+                let pairs = values.into_iter().map(|pair| match pair {
+                    Value::Tuple(pair) => pair,
+                    other => panic!("bug in iheartmesh: {other} is no pair"),
+                });
+                let best = pairs.reduce(|best, pair| match is_better(better, &pair[0], &best[0]) {
+                    true => pair,
+                    false => best,
+                });
+                let mut best = best.ok_or_else(|| self.fault(e))?;
+                best.swap_remove(1)
             }
         })
     }
@@ -168,4 +183,10 @@ impl<'a> Interpreter<'a> {
             }
         })
     }
+}
+
+/// Whether a number takes the place of the best one so far: what is not a number gives way to all others.
+fn is_better(better: CompareOp, value: &Value, best: &Value) -> bool {
+    let is_number = |value: &Value| !matches!(value, Value::Real(x) if x.is_nan());
+    compare(better, value, best) || is_number(value) && !is_number(best)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use super::{Kind, Range, VariableId};
+use super::{Kind, Range, Restriction, VariableId};
 use crate::span::Span;
 use crate::types::Type;
 
@@ -144,12 +144,15 @@ impl Arena {
                 debug_assert!(!self.depends_on(*set, *variable));
             }
         }
-        if let Kind::Tabulate { variables, .. } = kind {
+        if let Kind::Tabulate { variables, .. } | Kind::Optimum { variables, .. } = kind {
             free.retain(|v| !variables.contains(v));
         }
         if let Kind::Scatter { variable, set, .. } = kind {
             free.retain(|v| v != variable);
             debug_assert!(!self.depends_on(*set, *variable));
+        }
+        if let Kind::Integral { variable, .. } = kind {
+            free.retain(|v| v != variable);
         }
         free.sort_unstable();
         free.dedup();
@@ -261,6 +264,28 @@ macro_rules! each_operand {
                     Range::Rows => {}
                 }
                 condition.$iter().for_each(&mut visit);
+                visit(body);
+            }
+            Kind::Optimum {
+                start,
+                restrictions,
+                objective,
+                ..
+            } => {
+                start.$iter().for_each(&mut visit);
+                for restriction in restrictions.$iter() {
+                    match restriction {
+                        Restriction::Equal(a)
+                        | Restriction::AtMost(a)
+                        | Restriction::Lower(_, a)
+                        | Restriction::Upper(_, a) => visit(a),
+                    }
+                }
+                visit(objective);
+            }
+            Kind::Integral { from, to, body, .. } => {
+                visit(from);
+                visit(to);
                 visit(body);
             }
         }

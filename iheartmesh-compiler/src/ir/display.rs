@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::{
-    Arena, Binary, Boundary, ExprId, Fold, FunctionId, Kind, Program, Range, SetOp, Unary,
+    Arena, Binary, Boundary, ExprId, Fold, FunctionId, Kind, Program, Range, Restriction, SetOp,
+    Unary,
 };
 use crate::syntax::ast::CompareOp;
 
@@ -366,6 +367,8 @@ impl Writer<'_> {
                     Fold::Union => "∪",
                     Fold::Min => "min",
                     Fold::Max => "max",
+                    Fold::ArgMin => "argmin",
+                    Fold::ArgMax => "argmax",
                     Fold::Collect => "set",
                 };
                 let name = format!("{}.{}", self.arena().variable_name(*variable), variable.0);
@@ -383,6 +386,53 @@ impl Writer<'_> {
                     self.put(" if ");
                     self.expr(*condition);
                 }
+                self.put(": ");
+                self.expr(*body);
+                self.put(")");
+            }
+            Kind::Optimum {
+                greatest,
+                variables,
+                start,
+                restrictions,
+                objective,
+            } => {
+                self.put(if *greatest { "greatest(" } else { "least(" });
+                for (variable, start) in variables.iter().zip(start) {
+                    let name = format!("{}.{}", self.arena().variable_name(*variable), variable.0);
+                    self.put(&format!("{name} from "));
+                    self.expr(*start);
+                    self.put(", ");
+                }
+                for restriction in restrictions {
+                    let bound = |k: u32| {
+                        let variable = variables[k as usize];
+                        format!("{}.{}", self.arena().variable_name(variable), variable.0)
+                    };
+                    let (before, value, after) = match restriction {
+                        Restriction::Equal(e) => (String::new(), e, " = 0, "),
+                        Restriction::AtMost(e) => (String::new(), e, " ≤ 0, "),
+                        Restriction::Lower(k, e) => (format!("{} ≥ ", bound(*k)), e, ", "),
+                        Restriction::Upper(k, e) => (format!("{} ≤ ", bound(*k)), e, ", "),
+                    };
+                    self.put(&before);
+                    self.expr(*value);
+                    self.put(after);
+                }
+                self.expr(*objective);
+                self.put(")");
+            }
+            Kind::Integral {
+                variable,
+                from,
+                to,
+                body,
+            } => {
+                let name = format!("{}.{}", self.arena().variable_name(*variable), variable.0);
+                self.put(&format!("integral({name} from "));
+                self.expr(*from);
+                self.put(" to ");
+                self.expr(*to);
                 self.put(": ");
                 self.expr(*body);
                 self.put(")");

@@ -15,8 +15,19 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         Kind::Item(_, index) if arena.ty(*index).is_element() => "the sequence has no such item",
         Kind::Item(..) => "the sequence has no item of this number",
         Kind::Component(..) => "the vector has no entry of this number",
-        Kind::Fold { op: Fold::Min, .. } => "the minimum of an empty set",
-        Kind::Fold { op: Fold::Max, .. } => "the maximum of an empty set",
+        Kind::Fold {
+            op: Fold::Min | Fold::ArgMin,
+            ..
+        } => "the minimum of an empty set",
+        Kind::Fold {
+            op: Fold::Max | Fold::ArgMax,
+            ..
+        } => "the maximum of an empty set",
+        Kind::Optimum { greatest, .. } => {
+            let [_, _, unsettled] = no_optimum(*greatest);
+            return unsettled;
+        }
+        Kind::Integral { .. } => "the integral diverges, or is not known to 10 digits,",
         Kind::Fail => "no case applies",
         Kind::Fold { op: Fold::Sum, .. } if arena.ty(e).shape() != Some(Shape::Scalar) => {
             "terms of different sizes, or none of a size that is not known,"
@@ -47,9 +58,34 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         Kind::Binary(Binary::Solve, ..) => "the matrix of the system is singular",
         Kind::Binary(Binary::MatrixPower, ..) => "this power of the matrix does not exist",
         Kind::Binary(Binary::Unstack, ..) => "the sizes do not fit",
-        Kind::Unary(Unary::Least | Unary::Greatest, _) => "the extremum of nothing",
+        Kind::Unary(op @ (Unary::Least | Unary::Greatest), a) => {
+            let word = if *op == Unary::Least {
+                "minimum"
+            } else {
+                "maximum"
+            };
+            let of = match arena.ty(*a) {
+                Type::Sequence { .. } => "a sequence",
+                Type::Matrix { .. } => "a matrix",
+                _ => "a vector",
+            };
+            return format!("the {word} of {of} without entries");
+        }
         Kind::Call(id, _) => return format!("`{}` has no value", program.function(*id).name),
         _ => "there is no such element",
     };
     text.to_owned()
+}
+
+/// Why there is no optimum: the objective has no bound, nothing satisfies the restrictions, the search does not settle.
+pub fn no_optimum(greatest: bool) -> [String; 3] {
+    let (word, limit) = match greatest {
+        true => ("maximum", "above"),
+        false => ("minimum", "below"),
+    };
+    [
+        format!("there is no {word}, since the objective has no bound from {limit},"),
+        "no point was found that satisfies the restrictions".to_owned(),
+        format!("no {word} was found: the search does not settle"),
+    ]
 }

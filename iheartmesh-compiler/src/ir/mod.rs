@@ -20,7 +20,7 @@ pub mod validate;
 
 pub use arena::{Arena, ExprId, Node};
 pub use display::{expression, program, types};
-pub use failure::failure;
+pub use failure::{failure, no_optimum};
 pub use program::{
     Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Pairs, Parameter,
     Program, Site,
@@ -213,6 +213,11 @@ pub enum Fold {
     Min,
     /// The greatest value; fails when there is none.
     Max,
+    /// The body is a tuple of a number and a value: the value that stands with the least number, the first of several;
+    /// fails when there is none.
+    ArgMin,
+    /// The same with the greatest number.
+    ArgMax,
     /// `{ … for … }`: the set of the values.
     Collect,
 }
@@ -226,6 +231,20 @@ pub enum Range {
     Integers(ExprId, ExprId),
     /// The rows of a plan: the space that has the bound variable's name. The variable's own value is a column.
     Rows,
+}
+
+/// What restricts the variables of a [`Kind::Optimum`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Restriction {
+    /// Each entry of the value is 0; it is under the variables.
+    Equal(ExprId),
+    /// No entry of the value is above 0; it is under the variables.
+    AtMost(ExprId),
+    /// The variable of this number, from 0, is not below a value entry by entry; one number holds for all entries. The
+    /// value does not know the variables.
+    Lower(u32, ExprId),
+    /// The variable of this number is not above a value.
+    Upper(u32, ExprId),
 }
 
 /// One boundary matrix of a mesh.
@@ -375,6 +394,34 @@ pub enum Kind {
         /// Which of them are taken.
         condition: Option<ExprId>,
         /// The value for each.
+        body: ExprId,
+    },
+    /// The least or greatest value of a real number, and where it is taken: a tuple of the value and, for each variable,
+    /// its own. The search begins at the start values and ends at a local optimum: within 10⁻⁶ of the slopes around it, or
+    /// where no method finds a better point. Fails when the objective goes on without a bound, when no point
+    /// satisfies the restrictions, when the search does not settle.
+    Optimum {
+        /// The greatest value instead of the least.
+        greatest: bool,
+        /// The variables: real numbers, vectors, matrices, or sequences of them.
+        variables: Vec<VariableId>,
+        /// Their start values, which also say how large they are; these do not know the variables.
+        start: Vec<ExprId>,
+        /// What holds at the optimum.
+        restrictions: Vec<Restriction>,
+        /// The number.
+        objective: ExprId,
+    },
+    /// The integral of a real number from one bound to another, either of which may be infinite. Fails when it is not
+    /// known up to 10⁻¹⁰ of itself.
+    Integral {
+        /// A real number between the bounds.
+        variable: VariableId,
+        /// The lower bound, a real number.
+        from: ExprId,
+        /// The upper bound, a real number.
+        to: ExprId,
+        /// The integrand.
         body: ExprId,
     },
     /// A choice; only the chosen branch is evaluated.

@@ -1,7 +1,7 @@
 //! Checks that a program keeps the rules of the intermediate language; run after every pass in tests and in
 //! builds with debug assertions.
 
-use super::{Binary, ExprId, Kind, Program, Range};
+use super::{Binary, ExprId, Fold, Kind, Program, Range, Restriction};
 use crate::types::Type;
 
 /// The first broken rule, if there is one.
@@ -84,6 +84,57 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
         | Kind::Scatter { set, .. } => check(
             matches!(ty(*set), Type::Set(_)),
             "a loop over something other than a set",
+        ),
+        Kind::Fold {
+            op: Fold::ArgMin | Fold::ArgMax,
+            body,
+            ..
+        } => check(
+            matches!(ty(*body), Type::Tuple(items) if items.len() == 2 && items[0].is_scalar() && items[1] == *ty(e)),
+            "a search for a member without a number",
+        ),
+        Kind::Optimum {
+            variables,
+            start,
+            restrictions,
+            objective,
+            ..
+        } => {
+            let knows = |e: ExprId| variables.iter().any(|v| arena.depends_on(e, *v));
+            let typed = variables
+                .iter()
+                .zip(start)
+                .all(|(v, s)| arena.variable_type(*v) == ty(*s));
+            let outside = restrictions.iter().all(|r| match r {
+                Restriction::Equal(_) | Restriction::AtMost(_) => true,
+                Restriction::Lower(k, bound) | Restriction::Upper(k, bound) => {
+                    (*k as usize) < variables.len() && !knows(*bound)
+                }
+            });
+            check(
+                typed
+                    && variables.len() == start.len()
+                    && outside
+                    && !start.iter().any(|s| knows(*s)),
+                "an optimum whose start values or bounds do not fit its variables",
+            )?;
+            check(
+                *ty(*objective) == Type::REAL,
+                "an optimum of no real number",
+            )
+        }
+        Kind::Integral {
+            variable,
+            from,
+            to,
+            body,
+        } => check(
+            [ty(*from), ty(*to), ty(*body)]
+                .iter()
+                .all(|t| **t == Type::REAL)
+                && !arena.depends_on(*from, *variable)
+                && !arena.depends_on(*to, *variable),
+            "an integral of no real number",
         ),
         _ => Ok(()),
     }

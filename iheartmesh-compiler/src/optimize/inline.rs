@@ -138,6 +138,9 @@ pub fn is_field(program: &Program, id: FunctionId) -> bool {
             kind,
             Kind::Unary(..) | Kind::Binary(..) | Kind::Fold { .. } | Kind::Call(..)
         ));
+        if matches!(kind, Kind::Optimum { .. } | Kind::Integral { .. }) {
+            operations += LEAST_FIELD;
+        }
     });
     matches!(parameter.ty, Type::Element(_)) && operations >= LEAST_FIELD && stored(&function.ty)
 }

@@ -98,7 +98,10 @@ fn unconditional(arena: &Arena, e: ExprId, seen: &mut BTreeSet<ExprId>, calls: &
     }
     match arena.kind(e) {
         Kind::Call(..) => calls.push(e),
-        Kind::Fold { .. } => {}
+        Kind::Fold { .. }
+        | Kind::Tabulate { .. }
+        | Kind::Optimum { .. }
+        | Kind::Integral { .. } => {}
         Kind::If(condition, ..) => unconditional(arena, *condition, seen, calls),
         Kind::And(a, _) | Kind::Or(a, _) => unconditional(arena, *a, seen, calls),
         kind => kind.operands(|operand| unconditional(arena, operand, seen, calls)),
@@ -121,7 +124,7 @@ pub fn is_read_from_row(staged: &StagedProgram, id: FunctionId) -> bool {
     super::reachable(&staged.program.arena, stages.body, &mut |kind| {
         is_plain &= match kind {
             Kind::Variable(v) => *v != parameter.variable,
-            Kind::Fold { .. } => false,
+            Kind::Fold { .. } | Kind::Optimum { .. } | Kind::Integral { .. } => false,
             _ => true,
         };
     });

@@ -77,7 +77,10 @@ fn unconditional(arena: &Arena, e: ExprId, seen: &mut BTreeSet<ExprId>, sums: &m
             condition: None,
             ..
         } => sums.push(e),
-        Kind::Fold { .. } => {}
+        Kind::Fold { .. }
+        | Kind::Tabulate { .. }
+        | Kind::Optimum { .. }
+        | Kind::Integral { .. } => {}
         Kind::If(condition, ..) => unconditional(arena, *condition, seen, sums),
         Kind::And(a, _) | Kind::Or(a, _) => unconditional(arena, *a, seen, sums),
         kind => kind.operands(|operand| unconditional(arena, operand, seen, sums)),

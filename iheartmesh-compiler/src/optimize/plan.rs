@@ -314,11 +314,12 @@ impl MayFail {
         match arena.kind(e) {
             Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
             Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
+            Kind::Optimum { .. } | Kind::Integral { .. } => true,
             Kind::Scatter { .. } | Kind::Update(..) => true,
             Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
             Kind::Fold { op, .. } => {
-                matches!(op, Fold::Min | Fold::Max)
+                matches!(op, Fold::Min | Fold::Max | Fold::ArgMin | Fold::ArgMax)
                     || matches!(op, Fold::Sum | Fold::Product) && *arena.ty(e) == Type::INTEGER
                     || is_of_unknown_size(arena.ty(e))
             }

@@ -115,6 +115,39 @@ impl Substitution {
                         place,
                         body,
                     },
+                    Kind::Optimum {
+                        greatest,
+                        variables,
+                        start,
+                        restrictions,
+                        objective,
+                    } => {
+                        let variables = variables
+                            .into_iter()
+                            .map(|v| self.fresh(arena, v))
+                            .collect();
+                        Kind::Optimum {
+                            greatest,
+                            variables,
+                            start,
+                            restrictions,
+                            objective,
+                        }
+                    }
+                    Kind::Integral {
+                        variable,
+                        from,
+                        to,
+                        body,
+                    } => {
+                        let variable = self.fresh(arena, variable);
+                        Kind::Integral {
+                            variable,
+                            from,
+                            to,
+                            body,
+                        }
+                    }
                     other => other,
                 };
                 let mapped = mapped.map_operands(|operand| self.expr(arena, operand));

@@ -111,7 +111,7 @@ fn binary(arena: &mut Arena, e: ExprId, op: Binary, a: ExprId, b: ExprId, ty: Ty
                 return a;
             }
             if let (Kind::Unary(Unary::Norm, u), true) = (arena.kind(a).clone(), a == b) {
-                return arena.add(Kind::Binary(Binary::Dot, u, u), Type::REAL);
+                return square(arena, u);
             }
             if ty.is_scalar() {
                 ordered(arena, op, a, b, ty)
@@ -135,9 +135,7 @@ fn binary(arena: &mut Arena, e: ExprId, op: Binary, a: ExprId, b: ExprId, ty: Ty
         Binary::Power => match real(arena, b) {
             Some(1.0) => a,
             Some(2.0) => match arena.kind(a).clone() {
-                Kind::Unary(Unary::Norm, u) => {
-                    arena.add(Kind::Binary(Binary::Dot, u, u), Type::REAL)
-                }
+                Kind::Unary(Unary::Norm, u) => square(arena, u),
                 _ => {
                     let a = na.unwrap_or(a);
                     arena.add(Kind::Binary(Binary::Multiply, a, a), ty)
@@ -148,6 +146,15 @@ fn binary(arena: &mut Arena, e: ExprId, op: Binary, a: ExprId, b: ExprId, ty: Ty
         Binary::Min | Binary::Max => ordered(arena, op, a, b, ty),
         _ => e,
     }
+}
+
+/// The sum of the squares of all entries.
+fn square(arena: &mut Arena, u: ExprId) -> ExprId {
+    let op = match arena.ty(u) {
+        Type::Matrix { .. } => Binary::Frobenius,
+        _ => Binary::Dot,
+    };
+    arena.add(Kind::Binary(op, u, u), Type::REAL)
 }
 
 /// An operation whose operands may be exchanged.

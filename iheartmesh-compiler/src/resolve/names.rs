@@ -154,17 +154,22 @@ impl<'a> FreeNames<'a> {
                 initial,
                 ..
             } => {
-                variables.iter().for_each(|d| self.declaration(d));
-                let names: Vec<&Name> = variables
-                    .iter()
-                    .flat_map(|d| &d.targets)
-                    .map(|t| &t.name)
-                    .collect();
-                self.under(&names, |walk| {
-                    walk.expr(objective);
-                    constraints.iter().for_each(|c| walk.condition(c));
-                    initial.iter().for_each(|d| walk.definition(d));
-                });
+                initial.iter().for_each(|d| self.definition(d));
+                // a set may depend on the variables before
+                let depth = self.bound.len();
+                for declaration in variables {
+                    self.declaration(declaration);
+                    let names = declaration.targets.iter().map(|t| &t.name);
+                    self.bound.extend(names.clone().map(|n| n.text.clone()));
+                    self.binders.extend(names.cloned());
+                }
+                self.expr(objective);
+                for condition in constraints {
+                    self.under(&subscript_letters(condition), |walk| {
+                        walk.condition(condition)
+                    });
+                }
+                self.bound.truncate(depth);
             }
             ExprKind::Integral {
                 variable,
@@ -263,6 +268,7 @@ impl<'a> FreeNames<'a> {
                 self.ty(to);
             }
             TypeKind::Named(name) => self.name(name),
+            TypeKind::Members(set) => self.expr(set),
             TypeKind::Scalar(_)
             | TypeKind::Vector { .. }
             | TypeKind::Matrix { .. }
@@ -271,6 +277,56 @@ impl<'a> FreeNames<'a> {
             | TypeKind::CellularSet => {}
         }
     }
+}
+
+/// The names that stand alone as subscripts in a restriction: where they mean nothing else, it holds for all of them.
+pub fn subscript_letters(condition: &Condition) -> Vec<&Name> {
+    fn expr<'e>(e: &'e Expr, found: &mut Vec<&'e Name>) {
+        match &e.kind {
+            ExprKind::Subscript { base, subscripts } => {
+                expr(base, found);
+                for subscript in subscripts {
+                    match subscript {
+                        Subscript::Expr(Expr {
+                            kind: ExprKind::Name(name),
+                            ..
+                        }) if found.iter().all(|n| n.text != name.text) => found.push(name),
+                        _ => {}
+                    }
+                }
+            }
+            ExprKind::Unary { operand, .. } | ExprKind::Norm { operand, .. } => {
+                expr(operand, found)
+            }
+            ExprKind::Binary { left, right, .. } | ExprKind::Inner { left, right, .. } => {
+                expr(left, found);
+                expr(right, found);
+            }
+            ExprKind::Call { arguments, .. } => arguments.iter().for_each(|a| expr(a, found)),
+            ExprKind::Matrix(rows) => rows.iter().flatten().for_each(|a| expr(a, found)),
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    match &condition.kind {
+        ConditionKind::Compare { left, right, .. } => {
+            expr(left, &mut found);
+            expr(right, &mut found);
+        }
+        ConditionKind::Member { item, set, .. } => {
+            expr(item, &mut found);
+            expr(set, &mut found);
+        }
+        ConditionKind::And(a, b) | ConditionKind::Or(a, b) => {
+            for name in subscript_letters(a).into_iter().chain(subscript_letters(b)) {
+                if found.iter().all(|n: &&Name| n.text != name.text) {
+                    found.push(name);
+                }
+            }
+        }
+        ConditionKind::Error => {}
+    }
+    found
 }
 
 /// The indices that an element-wise definition binds: the names among the subscripts on its left side.

@@ -193,6 +193,8 @@ pub enum TypeKind {
     CellularSet,
     /// A bare name: after `∈` an element of that set, after `⊂` a subset of it.
     Named(Name),
+    /// An expression that is a set or an interval `[a, b]`, for variables of an optimisation.
+    Members(Box<Expr>),
 }
 
 /// The kinds of meshes.

@@ -133,6 +133,7 @@ fn ty(node: &Type) -> String {
         TypeKind::ElementSet(kind) => format!("{kind:?}Set"),
         TypeKind::CellularSet => "CellularSet".to_owned(),
         TypeKind::Named(set) => name(set),
+        TypeKind::Members(set) => expr(set),
     }
 }
 

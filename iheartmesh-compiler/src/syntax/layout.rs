@@ -189,6 +189,13 @@ impl Layout<'_> {
                 matches!(kind, Kind::If | Kind::Otherwise)
             }),
             Mode::Constraints if semicolon => self.first(next, |_| false, Kind::is_relation),
+            // no definition begins like this, and no type
+            Mode::Constraints
+                if !matches!(after, Kind::Word(_) | Kind::Quoted(_) | Kind::Partial) =>
+            {
+                self.first(next, |_| false, Kind::is_relation)
+            }
+            Mode::Constraints if self.is_in_interval(next) => true,
             Mode::Constraints => {
                 let stop = |kind| matches!(kind, Kind::Assign | Kind::In | Kind::Colon);
                 self.first(next, stop, Kind::is_strict_relation)
@@ -202,16 +209,33 @@ impl Layout<'_> {
         Some(Kind::Newline)
     }
 
+    /// Whether a line says that something is in an interval, `… ∈ [a, b]`.
+    fn is_in_interval(&self, from: usize) -> bool {
+        let stop = |kind| matches!(kind, Kind::Assign | Kind::Colon | Kind::Subset);
+        self.position(from, stop, |kind| kind == Kind::In)
+            .is_some_and(|index| self.raw[index + 1].kind == Kind::LeftBracket)
+    }
+
     /// Whether `wanted` comes before `stop` in the rest of the line, outside brackets.
     fn first(&self, from: usize, stop: fn(Kind) -> bool, wanted: fn(Kind) -> bool) -> bool {
+        self.position(from, stop, wanted).is_some()
+    }
+
+    /// Where `wanted` stands, if it comes before `stop` in the rest of the line, outside brackets.
+    fn position(
+        &self,
+        from: usize,
+        stop: fn(Kind) -> bool,
+        wanted: fn(Kind) -> bool,
+    ) -> Option<usize> {
         let mut index = from;
         loop {
             let kind = self.raw[index].kind;
             if wanted(kind) {
-                return true;
+                return Some(index);
             }
             if stop(kind) || matches!(kind, Kind::Newline | Kind::Semicolon | Kind::End) {
-                return false;
+                return None;
             }
             let partner = self.partners[index];
             let jump = partner != NONE && partner as usize > index;

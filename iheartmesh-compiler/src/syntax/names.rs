@@ -375,13 +375,21 @@ impl Collector<'_> {
         while index < close {
             match self.statement(index, close) {
                 Ok(statement) => {
-                    let function = self.declared_type(statement.next, close, false);
+                    // the type, or the set, ends at the next comma
+                    index = statement.next;
+                    while index < close && self.kind(index) != Kind::Comma {
+                        let partner = self.partners[index];
+                        let jumps = partner != NONE && partner as usize > index;
+                        index = if jumps { partner as usize } else { index } + 1;
+                    }
+                    let is_type = matches!(self.kind(statement.next), Kind::Reals | Kind::Integers);
+                    let function = is_type && self.declared_type(statement.next, index, false);
                     for (name, _) in statement.targets {
                         add(&mut self.item.names, &name, function);
                     }
-                    index = statement.next;
+                    index += 1;
                 }
-                Err(at) => index = at.max(index + 1),
+                Err(_) => return,
             }
         }
     }

@@ -93,6 +93,7 @@ impl Walk<'_> {
                 self.ty(to);
             }
             TypeKind::Named(set) => self.name(set),
+            TypeKind::Members(set) => self.expr(set),
             TypeKind::Scalar(_)
             | TypeKind::Mesh(_)
             | TypeKind::ElementSet(_)

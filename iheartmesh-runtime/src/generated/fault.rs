@@ -123,6 +123,23 @@ pub fn integers(value: Option<i64>, fault: Fault) -> Fallible<i64> {
     value.ok_or(fault)
 }
 
+/// Whether a number takes the place of the least one so far. What is not a number never does, and gives way to all others.
+#[inline(always)]
+pub fn is_less<T: PartialOrd>(value: &T, best: &T) -> bool {
+    value < best || is_no_number(best) && !is_no_number(value)
+}
+
+/// Whether a number takes the place of the greatest one so far.
+#[inline(always)]
+pub fn is_greater<T: PartialOrd>(value: &T, best: &T) -> bool {
+    value > best || is_no_number(best) && !is_no_number(value)
+}
+
+#[inline(always)]
+fn is_no_number<T: PartialOrd>(value: &T) -> bool {
+    value.partial_cmp(value).is_none()
+}
+
 /// Calls of functions that call themselves go no deeper than this, so that one without an end fails before the stack
 /// of a thread is used up.
 const DEEPEST_RECURSION: u32 = 500;

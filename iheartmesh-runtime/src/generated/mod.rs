@@ -10,7 +10,9 @@ mod host;
 mod ids;
 mod linear;
 mod local;
+mod optimum;
 mod orbit;
+mod quadrature;
 mod sparse;
 mod sparse_lu;
 mod table;
@@ -27,7 +29,7 @@ pub use check::{
 pub use dense::*;
 pub use fault::{
     Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, entry_mut, integer,
-    integers, sized,
+    integers, is_greater, is_less, sized,
 };
 pub use host::HostCounted;
 pub use ids::{
@@ -36,7 +38,9 @@ pub use ids::{
 };
 pub use linear::*;
 pub use local::Locals;
+pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};
 pub use orbit::Orbits;
+pub use quadrature::integral;
 pub use sparse::*;
 pub use table::{Dense, Rows, Table, concatenated};
 pub use touch::{Touch, touch};

@@ -265,12 +265,16 @@ impl<'a> Body<'a> {
                 Type::Scalar(Number::Integer) => (quote!(let mut product = 1i64;), quote!(product)),
                 _ => (quote!(let mut product = 1.0f64;), quote!(product)),
             },
-            Fold::Min | Fold::Max => {
+            Fold::Min | Fold::Max | Fold::ArgMin | Fold::ArgMax => {
                 let site = self.context.site(e);
+                let (kept, pattern) = match op {
+                    Fold::Min | Fold::Max => (inner, quote!(best)),
+                    _ => (quote!((_, #inner)), quote!((_, best))),
+                };
                 (
-                    quote!(let mut best: ::std::option::Option<#inner> = ::std::option::Option::None;),
+                    quote!(let mut best: ::std::option::Option<#kept> = ::std::option::Option::None;),
                     quote!(match best {
-                        ::std::option::Option::Some(best) => best,
+                        ::std::option::Option::Some(#pattern) => best,
                         ::std::option::Option::None => return ::std::result::Result::Err(#site),
                     }),
                 )
@@ -333,19 +337,8 @@ impl<'a> Body<'a> {
                 let value = self.owned(body);
                 quote!(product *= #value;)
             }
-            Fold::Min | Fold::Max => {
-                let value = self.owned(body);
-                let better = if op == Fold::Min {
-                    quote!(<)
-                } else {
-                    quote!(>)
-                };
-                quote!({
-                    let value = #value;
-                    if best.is_none_or(|best| value #better best) {
-                        best = ::std::option::Option::Some(value);
-                    }
-                })
+            Fold::Min | Fold::Max | Fold::ArgMin | Fold::ArgMax => {
+                super::optimum::keep_best(op, self.owned(body))
             }
             Fold::Collect => {
                 let value = self.owned(body);

@@ -188,6 +188,8 @@ impl Body<'_> {
             }
             Kind::Scatter { .. } => self.scatter(e),
             Kind::Update(base, entries) => self.update(e, *base, entries),
+            Kind::Optimum { .. } => self.optimum(e),
+            Kind::Integral { .. } => self.integral(e),
             _ if self.is_array(e) => self.array(e),
             _ => self.set_value(e),
         }

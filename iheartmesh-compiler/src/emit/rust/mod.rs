@@ -13,6 +13,7 @@ mod item;
 mod local;
 mod method;
 pub mod names;
+mod optimum;
 mod orbit;
 pub mod place;
 mod plan;
@@ -120,12 +121,22 @@ impl Context<'_> {
 
     /// What is said when an expression fails: its text and place.
     fn site(&self, e: ExprId) -> TokenStream {
-        // an item of a tuple fails where the tuple does
+        let what = crate::ir::failure(self.program(), self.outermost(e));
+        self.site_because(e, what)
+    }
+
+    /// The tuple that an expression is an item of, or itself: an item fails where the tuple does.
+    fn outermost(&self, e: ExprId) -> ExprId {
         let mut e = e;
         while let crate::ir::Kind::Project(tuple, _) = self.program().arena.kind(e) {
             e = *tuple;
         }
-        let what = crate::ir::failure(self.program(), e);
+        e
+    }
+
+    /// What is said when an expression fails for this reason.
+    fn site_because(&self, e: ExprId, what: String) -> TokenStream {
+        let e = self.outermost(e);
         let text = match self.program().arena.origin(e) {
             Some(span) => {
                 let source = self.sources.get(span.source);

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::ir::{Arena, ExprId, Kind, VariableId};
+use crate::ir::{Arena, ExprId, Kind, Restriction, VariableId};
 
 /// A region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -31,8 +31,8 @@ pub enum Part {
 struct Region {
     parent: Option<RegionId>,
     depth: usize,
-    /// The variable of a loop.
-    variable: Option<VariableId>,
+    /// The variables of a loop, of a function that is searched or integrated.
+    variables: Vec<VariableId>,
     /// The expressions that are evaluated in it, operands first.
     placed: Vec<ExprId>,
 }
@@ -82,7 +82,7 @@ impl Placement {
             uses: BTreeMap::new(),
         };
         for (parent, variable) in &roots.regions {
-            placement.add_region(parent.map(RegionId), *variable);
+            placement.add_region(parent.map(RegionId), variable.iter().copied());
         }
         let mut pending: BTreeMap<ExprId, RegionId> = BTreeMap::new();
         for (region, e) in &roots.roots {
@@ -107,12 +107,16 @@ impl Placement {
         placement
     }
 
-    fn add_region(&mut self, parent: Option<RegionId>, variable: Option<VariableId>) -> RegionId {
+    fn add_region(
+        &mut self,
+        parent: Option<RegionId>,
+        variables: impl IntoIterator<Item = VariableId>,
+    ) -> RegionId {
         let depth = parent.map_or(0, |p| self.regions[p.0].depth + 1);
         self.regions.push(Region {
             parent,
             depth,
-            variable,
+            variables: variables.into_iter().collect(),
             placed: Vec::new(),
         });
         RegionId(self.regions.len() - 1)
@@ -139,7 +143,7 @@ impl Placement {
                 let (a, b) = (*a, *b);
                 self.use_in(pending, *condition, region);
                 for (part, branch) in [(Part::Then, a), (Part::Else, b)] {
-                    let inside = self.add_region(Some(region), None);
+                    let inside = self.add_region(Some(region), []);
                     self.parts.insert((e, part), inside);
                     self.use_in(pending, branch, inside);
                 }
@@ -147,7 +151,7 @@ impl Placement {
             Kind::And(a, b) | Kind::Or(a, b) => {
                 let b = *b;
                 self.use_in(pending, *a, region);
-                let inside = self.add_region(Some(region), None);
+                let inside = self.add_region(Some(region), []);
                 self.parts.insert((e, Part::Right), inside);
                 self.use_in(pending, b, inside);
             }
@@ -166,11 +170,11 @@ impl Placement {
                     }
                     crate::ir::Range::Rows => {}
                 }
-                let mut inside = self.add_region(Some(region), Some(*variable));
+                let mut inside = self.add_region(Some(region), [*variable]);
                 self.parts.insert((e, Part::Loop), inside);
                 if let Some(condition) = condition {
                     self.use_in(pending, *condition, inside);
-                    inside = self.add_region(Some(inside), None);
+                    inside = self.add_region(Some(inside), []);
                     self.parts.insert((e, Part::Taken), inside);
                 }
                 self.use_in(pending, *body, inside);
@@ -202,9 +206,45 @@ impl Placement {
                 }
                 let mut inside = region;
                 for (variable, part) in variables.iter().zip([Part::Loop, Part::Taken]) {
-                    inside = self.add_region(Some(inside), Some(*variable));
+                    inside = self.add_region(Some(inside), [*variable]);
                     self.parts.insert((e, part), inside);
                 }
+                self.use_in(pending, *body, inside);
+            }
+            Kind::Optimum {
+                variables,
+                start,
+                restrictions,
+                objective,
+                ..
+            } => {
+                let inside = self.add_region(Some(region), variables.iter().copied());
+                self.parts.insert((e, Part::Loop), inside);
+                for value in start {
+                    self.use_in(pending, *value, region);
+                }
+                for restriction in restrictions {
+                    match restriction {
+                        Restriction::Equal(value) | Restriction::AtMost(value) => {
+                            self.use_in(pending, *value, inside);
+                        }
+                        Restriction::Lower(_, bound) | Restriction::Upper(_, bound) => {
+                            self.use_in(pending, *bound, region);
+                        }
+                    }
+                }
+                self.use_in(pending, *objective, inside);
+            }
+            Kind::Integral {
+                variable,
+                from,
+                to,
+                body,
+            } => {
+                self.use_in(pending, *from, region);
+                self.use_in(pending, *to, region);
+                let inside = self.add_region(Some(region), [*variable]);
+                self.parts.insert((e, Part::Loop), inside);
                 self.use_in(pending, *body, inside);
             }
             kind => kind.operands(|operand| self.use_in(pending, operand, region)),
@@ -214,8 +254,8 @@ impl Placement {
     /// The region around the loop that a region is the inside of, if the expression does not depend on its variable.
     fn outside_of_loop(&self, arena: &Arena, e: ExprId, region: RegionId) -> Option<RegionId> {
         let region = &self.regions[region.0];
-        let variable = region.variable?;
-        match arena.depends_on(e, variable) {
+        let mut variables = region.variables.iter();
+        match region.variables.is_empty() || variables.any(|v| arena.depends_on(e, *v)) {
             true => None,
             false => region.parent,
         }
@@ -274,6 +314,15 @@ impl Placement {
                 }
                 Kind::Tabulate { sizes, .. } => found = sizes.contains(&e),
                 Kind::Scatter { set, sizes, .. } => found = *set == e || sizes.contains(&e),
+                Kind::Optimum {
+                    start, restrictions, ..
+                } => {
+                    found = start.contains(&e)
+                        || restrictions.iter().any(|r| {
+                            matches!(r, Restriction::Lower(_, b) | Restriction::Upper(_, b) if *b == e)
+                        });
+                }
+                Kind::Integral { from, to, .. } => found = *from == e || *to == e,
                 kind => kind.operands(|operand| found |= operand == e),
             }
             found
@@ -285,21 +334,30 @@ impl Placement {
     pub fn is_result_here(&self, arena: &Arena, e: ExprId) -> bool {
         let here = self.place[&e];
         self.parts.iter().any(|((owner, part), region)| {
-            *region == here
-                && match (arena.kind(*owner), part) {
-                    (Kind::If(_, a, _), Part::Then) => *a == e,
-                    (Kind::If(_, _, b), Part::Else) => *b == e,
-                    (Kind::And(_, b) | Kind::Or(_, b), Part::Right) => *b == e,
-                    (Kind::Fold { condition, .. }, Part::Loop) if *condition == Some(e) => true,
-                    (
-                        Kind::Fold { body, .. } | Kind::Tabulate { body, .. },
-                        Part::Loop | Part::Taken,
-                    ) => *body == e,
-                    (Kind::Scatter { place, body, .. }, Part::Loop) => {
-                        *body == e || place.contains(&e)
-                    }
-                    _ => false,
-                }
+            *region == here && match (arena.kind(*owner), part) {
+                (Kind::If(_, a, _), Part::Then) => *a == e,
+                (Kind::If(_, _, b), Part::Else) => *b == e,
+                (Kind::And(_, b) | Kind::Or(_, b), Part::Right) => *b == e,
+                (Kind::Fold { condition, .. }, Part::Loop) if *condition == Some(e) => true,
+                (
+                    Kind::Fold { body, .. } | Kind::Tabulate { body, .. },
+                    Part::Loop | Part::Taken,
+                ) => *body == e,
+                (Kind::Scatter { place, body, .. }, Part::Loop) => *body == e || place.contains(&e),
+                (Kind::Integral { body, .. }, Part::Loop) => *body == e,
+                (
+                    Kind::Optimum {
+                        objective,
+                        restrictions,
+                        ..
+                    },
+                    Part::Loop,
+                ) => *objective == e
+                    || restrictions.iter().any(
+                        |r| matches!(r, Restriction::Equal(v) | Restriction::AtMost(v) if *v == e),
+                    ),
+                _ => false,
+            }
         })
     }
 

@@ -188,9 +188,9 @@ impl Parser<'_> {
         self.advance();
         self.expect(Kind::Underscore, "`_`", help)?;
         self.expect(Kind::LeftParen, "`(`", help)?;
-        let mut variables = vec![self.declaration()?];
+        let mut variables = vec![self.declaration_with(Self::type_or_set)?];
         while self.eat(Kind::Comma) {
-            variables.push(self.declaration()?);
+            variables.push(self.declaration_with(Self::type_or_set)?);
         }
         self.expect(Kind::RightParen, "`,` or `)`", help)?;
         let objective = Box::new(self.expression()?);

@@ -68,6 +68,9 @@ impl Parser<'_> {
             Kind::Underscore => {
                 "all subscripts stand after one `_`, separated by commas, as in `x_i,1`"
             }
+            Kind::Optimise(_) => {
+                "an optimisation is a whole right-hand side: give it a name on a line of its own"
+            }
             Kind::Star => "products are written side by side, as in `2 a`, or with `⋅`",
             Kind::Comma => {
                 "each declaration stands on a line of its own; between subscripts stands a comma without blanks"
@@ -387,63 +390,5 @@ impl Parser<'_> {
                 return;
             }
         }
-    }
-
-    /// `x, y_i ∈ type attribute : text`.
-    pub(super) fn declaration(&mut self) -> Parsed<Declaration> {
-        let start = self.here();
-        let help = "a declaration is `x ∈ type`, `x_i ∈ type` for a sequence, or `s ⊂ S`";
-        let mut targets = Vec::new();
-        loop {
-            let name = self.name("a name", help)?;
-            let at = self.here();
-            let subscript = match self.subscripts()? {
-                None => None,
-                Some(list) => Some(self.sequence_letter(list, self.since(at))?),
-            };
-            targets.push(Target { name, subscript });
-            if !self.eat(Kind::Comma) {
-                break;
-            }
-        }
-        let relation = match self.kind() {
-            Kind::In => Relation::Member,
-            Kind::Colon => Relation::Colon,
-            Kind::Subset => Relation::Subset,
-            _ => return self.expected("`∈`, `:` or `⊂`", help),
-        };
-        self.advance();
-        let ty = self.declared_type()?;
-        let attribute = self.attribute();
-        let mut description = None;
-        if self.kind() == Kind::Colon {
-            self.advance();
-            if self.kind() == Kind::Description {
-                description = Some(self.token_text().to_owned());
-                self.advance();
-            }
-        }
-        Ok(Declaration {
-            targets,
-            relation,
-            ty,
-            attribute,
-            description,
-            span: self.since(start),
-        })
-    }
-
-    /// The one letter that a sequence is declared with.
-    fn sequence_letter(&mut self, mut list: Vec<Subscript>, span: Span) -> Parsed<Name> {
-        if list.len() == 1
-            && let Some(Subscript::Expr(Expr {
-                kind: ExprKind::Name(name),
-                ..
-            })) = list.pop()
-        {
-            return Ok(name);
-        }
-        let error = Diagnostic::error(span, "a sequence is declared with one subscript letter");
-        self.fail(error.help("write `x_i ∈ type`; several dimensions go into the type"))
     }
 }

@@ -1,4 +1,4 @@
-//! Types and dimensions.
+//! Declarations, types and dimensions.
 
 use super::super::ast::*;
 use super::super::token::Kind;
@@ -14,9 +14,91 @@ const TYPE_HELP: &str =
     "types are ℝ, ℤ, ℝ^n, ℝ^(n×m), {T}, T × U, T → U, FaceMesh and the like, or the name of a set";
 
 impl Parser<'_> {
+    /// `x, y_i ∈ type attribute : text`.
+    pub(super) fn declaration(&mut self) -> Parsed<Declaration> {
+        self.declaration_with(Self::declared_type)
+    }
+
+    /// A declaration with this way to read its type.
+    pub(super) fn declaration_with(
+        &mut self,
+        read: impl FnOnce(&mut Self) -> Parsed<Type>,
+    ) -> Parsed<Declaration> {
+        let start = self.here();
+        let help = "a declaration is `x ∈ type`, `x_i ∈ type` for a sequence, or `s ⊂ S`";
+        let mut targets = Vec::new();
+        loop {
+            let name = self.name("a name", help)?;
+            let at = self.here();
+            let subscript = match self.subscripts()? {
+                None => None,
+                Some(list) => Some(self.sequence_letter(list, self.since(at))?),
+            };
+            targets.push(Target { name, subscript });
+            if !self.eat(Kind::Comma) {
+                break;
+            }
+        }
+        let relation = match self.kind() {
+            Kind::In => Relation::Member,
+            Kind::Colon => Relation::Colon,
+            Kind::Subset => Relation::Subset,
+            _ => return self.expected("`∈`, `:` or `⊂`", help),
+        };
+        self.advance();
+        let ty = read(self)?;
+        let attribute = self.attribute();
+        let mut description = None;
+        if self.kind() == Kind::Colon {
+            self.advance();
+            if self.kind() == Kind::Description {
+                description = Some(self.token_text().to_owned());
+                self.advance();
+            }
+        }
+        Ok(Declaration {
+            targets,
+            relation,
+            ty,
+            attribute,
+            description,
+            span: self.since(start),
+        })
+    }
+
+    /// The one letter that a sequence is declared with.
+    fn sequence_letter(&mut self, mut list: Vec<Subscript>, span: Span) -> Parsed<Name> {
+        if list.len() == 1
+            && let Some(Subscript::Expr(Expr {
+                kind: ExprKind::Name(name),
+                ..
+            })) = list.pop()
+        {
+            return Ok(name);
+        }
+        let error = Diagnostic::error(span, "a sequence is declared with one subscript letter");
+        self.fail(error.help("write `x_i ∈ type`; several dimensions go into the type"))
+    }
+
     /// The type of a declaration.
     pub(super) fn declared_type(&mut self) -> Parsed<Type> {
         self.nested(Self::type_with_arrow)
+    }
+
+    /// The type of a variable of an optimisation, or the set that it is a member of.
+    pub(super) fn type_or_set(&mut self) -> Parsed<Type> {
+        let is_type = match self.kind() {
+            Kind::Reals | Kind::Integers => true,
+            Kind::Name(_) | Kind::Function(_) if self.type_follows(0) => true,
+            Kind::Name(_) => matches!(self.ahead(1), Kind::Comma | Kind::RightParen),
+            _ => false,
+        };
+        if is_type {
+            return self.declared_type();
+        }
+        let start = self.here();
+        let set = Box::new(self.within(Context::PLAIN, Self::expression)?);
+        Ok(self.ty(TypeKind::Members(set), start))
     }
 
     fn type_with_arrow(&mut self) -> Parsed<Type> {

@@ -139,6 +139,7 @@ impl Printer {
             TypeKind::ElementSet(kind) => format!("{kind:?}Set"),
             TypeKind::CellularSet => "CellularSet".to_owned(),
             TypeKind::Named(name) => self.name(name),
+            TypeKind::Members(set) => self.show(set, 0, Tail::Term),
         }
     }
 }

@@ -88,6 +88,7 @@ fn ty(node: &Type, words: &mut Words) {
             ty(to, words);
         }
         TypeKind::Named(name) => drop(words.insert(name.text.clone())),
+        TypeKind::Members(set) => expr(set, words),
         _ => {}
     }
 }
