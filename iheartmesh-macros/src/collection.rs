@@ -9,7 +9,13 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 /// The standard modules: what the crate of standard neighbourhoods exports.
-pub const STANDARD: &[&str] = &["Neighborhoods"];
+pub const STANDARD: &[&str] = &[
+    "Neighborhoods",
+    "PolygonNeighborhoods",
+    "TetrahedronNeighborhoods",
+    "TetrahderonNeighborhoods",
+    "PointCloudNeighborhoods",
+];
 
 /// Stands for every module that imports a standard one.
 const FOR_STANDARD: &str = "standard";

@@ -121,7 +121,7 @@ impl CellComplex {
         }
     }
 
-    fn check_boundary_of_boundary(&self, k: usize) -> Result<(), MeshError> {
+    pub(crate) fn check_boundary_of_boundary(&self, k: usize) -> Result<(), MeshError> {
         let mut sums: Vec<(u32, i64)> = Vec::new();
         for j in 0..self.n(k) {
             sums.clear();
@@ -145,6 +145,46 @@ impl CellComplex {
             }
         }
         Ok(())
+    }
+
+    /// The same complex with cells, of which ∂³ and its transpose are given.
+    pub(crate) fn with_cells(
+        mut self,
+        boundary: BoundaryMatrix,
+        transpose: BoundaryMatrix,
+    ) -> Self {
+        self.n_elements[3] = boundary.cols();
+        self.incidences.push(Incidence {
+            boundary,
+            transpose,
+            unsigned_boundary: OnceLock::new(),
+            unsigned_transpose: OnceLock::new(),
+        });
+        self
+    }
+
+    /// Number of connected components; an isolated vertex is one.
+    pub fn n_components(&self) -> usize {
+        let mut is_reached = vec![false; self.n(0)];
+        let mut reached = Vec::new();
+        let mut n_components = 0;
+        for seed in 0..self.n(0) as u32 {
+            if std::mem::replace(&mut is_reached[seed as usize], true) {
+                continue;
+            }
+            n_components += 1;
+            reached.push(seed);
+            while let Some(vertex) = reached.pop() {
+                for &edge in self.coboundary_elements(1, vertex as usize) {
+                    for neighbour in self.edge_vertices(edge as usize) {
+                        if !std::mem::replace(&mut is_reached[neighbour as usize], true) {
+                            reached.push(neighbour);
+                        }
+                    }
+                }
+            }
+        }
+        n_components
     }
 
     /// The highest dimension for which there is a boundary matrix: 1 to 3.

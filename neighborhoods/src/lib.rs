@@ -6,7 +6,11 @@
 //!
 //! | module | for |
 //! | --- | --- |
-//! | [`Neighborhoods`] | face meshes: what touches what, one-rings, the order of vertices around a face, flaps of edges, boundaries |
+//! | [`Neighborhoods`] | face meshes: what touches what, rings, the order of vertices around a face, flaps of edges, boundaries |
+//! | [`PolygonNeighborhoods`] | the same under another name |
+//! | [`TetrahedronNeighborhoods`] | cell meshes: what touches what, rings, the orientation of faces and cells, boundaries |
+//! | [`TetrahderonNeighborhoods`] | the same, spelled as in the library of the paper |
+//! | [`PointCloudNeighborhoods`] | edge meshes: what touches what, rings |
 //!
 //! ```
 //! use iheartmesh_neighborhoods::Neighborhoods;
@@ -32,4 +36,15 @@ iheartmesh_macros::expand! {
 
     /// Which elements of a face mesh touch which, and in which order.
     pub struct Neighborhoods = include "src/Neighborhoods.hlang";
+
+    /// Which elements of a cell mesh touch which, and in which order.
+    pub struct TetrahedronNeighborhoods = include "src/TetrahedronNeighborhoods.hlang";
+
+    /// Which elements of an edge mesh touch which.
+    pub struct PointCloudNeighborhoods = include "src/PointCloudNeighborhoods.hlang";
 }
+
+// names of the library of the paper
+pub use {
+    Neighborhoods as PolygonNeighborhoods, TetrahedronNeighborhoods as TetrahderonNeighborhoods,
+};

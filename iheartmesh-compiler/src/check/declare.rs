@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Input, InputId, Kind, MeshInput};
 use crate::resolve::ModuleId;
 use crate::syntax::ast::{
-    self, BinaryOp, Declaration, Expr, ExprKind, ItemKind, MeshKind, Relation, TypeKind, UnaryOp,
+    self, BinaryOp, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind, UnaryOp,
 };
 use crate::types::{Atom, Dimension, MeshId, Type};
 
@@ -49,9 +49,6 @@ impl Checker<'_> {
             if let TypeKind::Mesh(kind) = declaration.ty.kind {
                 if declaration.relation == Relation::Subset && place.2 == 0 {
                     self.no_subset(declaration);
-                }
-                if kind != MeshKind::FaceMesh && place.2 == 0 {
-                    self.unsupported(declaration.ty.span, &format!("meshes of type {kind} are"));
                 }
                 let name = &declaration.targets[place.2].name;
                 self.program.meshes.push(MeshInput {

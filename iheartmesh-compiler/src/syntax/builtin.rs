@@ -117,7 +117,8 @@ pub fn exports(module: &str) -> Option<Vec<Export>> {
     Some(functions.chain(constants).map(export).collect())
 }
 
-/// The functions of the standard module `Neighborhoods` of face meshes, to tell where an unknown name may come from.
+/// The functions of the standard module `Neighborhoods` of face meshes, to tell where an unknown name may come from. Most
+/// are in the modules for other meshes, too.
 const NEIGHBORHOODS: &[&str] = &[
     "Vertices",
     "Edges",
@@ -135,6 +136,25 @@ const NEIGHBORHOODS: &[&str] = &[
     "OppositeVertices",
     "BoundaryEdges",
     "BoundaryVertices",
+    "VertexKRing",
+    "FaceOneRing",
+    "NextEdgeAroundFace",
+    "PreviousEdgeAroundFace",
+    "OppositeFace",
+    "Closure",
+    "Star",
+    "Link",
+    "Boundary",
+];
+
+/// What `TetrahedronNeighborhoods` has beyond that.
+const CELL_NEIGHBORHOODS: &[&str] = &[
+    "Cells",
+    "CellOneRing",
+    "CellIndex",
+    "OppositeCells",
+    "OppositeEdge",
+    "BoundaryFaces",
 ];
 
 /// The modules that come with the compiler and with the macro.
@@ -143,12 +163,17 @@ pub const MODULES: &[&str] = &[
     "linearalgebra",
     "MeshConnectivity",
     "Neighborhoods",
+    "TetrahedronNeighborhoods",
+    "PointCloudNeighborhoods",
 ];
 
 /// The import that makes a name known, for the names of [`MODULES`].
 pub fn import_of(name: &str) -> Option<String> {
     if NEIGHBORHOODS.contains(&name) {
         return Some(format!("{name} from Neighborhoods(M)"));
+    }
+    if CELL_NEIGHBORHOODS.contains(&name) {
+        return Some(format!("{name} from TetrahedronNeighborhoods(M)"));
     }
     let has = |module: &&&str| {
         let exports = exports(module).unwrap_or_default();

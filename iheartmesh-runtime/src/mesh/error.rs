@@ -95,6 +95,23 @@ pub enum MeshError {
         /// The first such element.
         element: usize,
     },
+    /// A cell has the same side twice.
+    RepeatedFace {
+        /// The cell.
+        cell: usize,
+    },
+    /// The sides of a cell do not close.
+    OpenCell {
+        /// The cell.
+        cell: usize,
+    },
+    /// A point has a coordinate that is infinite or not a number.
+    NotFinite {
+        /// The point.
+        point: usize,
+    },
+    /// A radius that is negative or not a number.
+    InvalidRadius,
     /// A column of ∂² is not one closed walk that meets each of its vertices once.
     NotAPolygon {
         /// The column.
@@ -173,6 +190,24 @@ impl Display for MeshError {
                 "the boundary of {kind} {element} has a boundary (the product of the two boundary matrices is not \
                  zero); check the signs of its column"
             ),
+            MeshError::RepeatedFace { cell } => write!(
+                formatter,
+                "cell {cell} has the same side twice; remove one of the two"
+            ),
+            MeshError::OpenCell { cell } => write!(
+                formatter,
+                "the sides of cell {cell} do not close; give all of them, each counter-clockwise seen from outside"
+            ),
+            MeshError::NotFinite { point } => write!(
+                formatter,
+                "point {point} has a coordinate that is infinite or not a number; remove the point"
+            ),
+            MeshError::InvalidRadius => {
+                write!(
+                    formatter,
+                    "the radius is negative or not a number; give one that is at least 0"
+                )
+            }
             MeshError::NotAPolygon { face } => write!(
                 formatter,
                 "column {face} of ∂2 is no polygon; its edges must form one closed walk that meets no vertex twice"

@@ -92,7 +92,7 @@ impl FaceMesh {
         for (face, polygon) in faces.into_iter().enumerate() {
             let polygon = polygon.as_ref();
             check_sizes(n_vertices, corners.len() + polygon.len())?;
-            check_face(n_vertices, face, polygon, &mut scratch)?;
+            check_face(ElementKind::Face, n_vertices, face, polygon, &mut scratch)?;
             corners.extend_from_slice(polygon);
             starts.push(corners.len() as u32);
         }
@@ -346,18 +346,24 @@ fn check_triangles(n_vertices: usize, triangles: &[[u32; 3]]) -> Result<(), Mesh
         return Ok(());
     }
     for (face, triangle) in triangles.iter().enumerate() {
-        check_face(n_vertices, face, triangle, &mut Vec::new())?;
+        check_face(
+            ElementKind::Face,
+            n_vertices,
+            face,
+            triangle,
+            &mut Vec::new(),
+        )?;
     }
     Ok(())
 }
 
-fn check_face(
+pub(super) fn check_face(
+    kind: ElementKind,
     n_vertices: usize,
     face: usize,
     corners: &[u32],
     scratch: &mut Vec<u32>,
 ) -> Result<(), MeshError> {
-    let kind = ElementKind::Face;
     if let Some(corner) = corners
         .iter()
         .position(|&vertex| vertex as usize >= n_vertices)
@@ -402,7 +408,11 @@ fn check_face(
 }
 
 /// Appends the vertices of a face in cyclic order, the smallest first, by following its edges.
-fn walk(complex: &CellComplex, face: usize, corners: &mut Vec<u32>) -> Result<(), MeshError> {
+pub(super) fn walk(
+    complex: &CellComplex,
+    face: usize,
+    corners: &mut Vec<u32>,
+) -> Result<(), MeshError> {
     let (edges, signs) = complex.boundary_column(2, face);
     if edges.len() < 3 {
         return Err(MeshError::TooFewCorners {

@@ -91,27 +91,6 @@ impl FaceMesh {
 
     /// Number of connected components; an isolated vertex is one.
     pub fn n_components(&self) -> usize {
-        let mut is_reached = vec![false; self.n_vertices()];
-        let mut reached = Vec::new();
-        let mut n_components = 0;
-        for seed in self.vertices() {
-            if std::mem::replace(&mut is_reached[seed.index()], true) {
-                continue;
-            }
-            n_components += 1;
-            reached.push(seed);
-            while let Some(vertex) = reached.pop() {
-                for neighbour in self
-                    .vertex_edges(vertex)
-                    .iter()
-                    .flat_map(|edge| self.edge_vertices(edge))
-                {
-                    if !std::mem::replace(&mut is_reached[neighbour.index()], true) {
-                        reached.push(neighbour);
-                    }
-                }
-            }
-        }
-        n_components
+        self.complex().n_components()
     }
 }

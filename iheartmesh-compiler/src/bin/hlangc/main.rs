@@ -33,10 +33,16 @@ Compiles a program and prints what it is at a stage:
 `hlangc fmt` writes the files in the canonical spelling and layout; `hlangc fmt --help` says more";
 
 /// The standard modules, for programs outside of this workspace.
-const STANDARD: &[(&str, &str)] = &[(
-    "Neighborhoods",
-    include_str!("../../../../neighborhoods/src/Neighborhoods.hlang"),
-)];
+const STANDARD: &[(&str, &str)] = &[
+    ("Neighborhoods", FACES),
+    ("PolygonNeighborhoods", FACES),
+    ("TetrahedronNeighborhoods", CELLS),
+    ("TetrahderonNeighborhoods", CELLS),
+    ("PointCloudNeighborhoods", EDGES),
+];
+const FACES: &str = include_str!("../../../../neighborhoods/src/Neighborhoods.hlang");
+const CELLS: &str = include_str!("../../../../neighborhoods/src/TetrahedronNeighborhoods.hlang");
+const EDGES: &str = include_str!("../../../../neighborhoods/src/PointCloudNeighborhoods.hlang");
 
 struct Arguments {
     emit: String,
