@@ -75,7 +75,7 @@ fn one_message_for_one_mistake() {
             3 | f(x) = [a, ; 3 where x ∈ ℝ
               |                ^^^^^
               |
-              = help: `where` follows a function with parameters or directly a sum
+              = help: `where` follows a function with parameters or directly a sum; before parameters of the module it stands alone on its line
         "#]],
     );
 }

@@ -8,7 +8,7 @@ use iheartmesh_compiler::syntax::print::{self, Spelling};
 use iheartmesh_compiler::syntax::{
     MOST_NESTING, NoImports, count_steps, dump, imports, parse, strip_spans,
 };
-use syntax_support::corpus;
+use syntax_support::{PIECES, corpus};
 
 /// Steps that the parser may take for each byte of a text.
 const STEPS: usize = 120;
@@ -61,101 +61,6 @@ impl Random {
         (self.0 >> 11) as usize % limit.max(1)
     }
 }
-
-const PIECES: &[&str] = &[
-    "a",
-    "f",
-    "xy",
-    "θ",
-    "x̂",
-    "1",
-    "0",
-    "2.5",
-    "½",
-    "²",
-    "ᵀ",
-    "⁻¹",
-    "⁺",
-    "₁",
-    "ᵢ",
-    "_",
-    "^",
-    "+",
-    "-",
-    "±",
-    "*",
-    "/",
-    "⋅",
-    "×",
-    "∘",
-    "⊗",
-    "\\",
-    ":",
-    "∪",
-    "∩",
-    "∑",
-    "∏",
-    "∫",
-    "∂",
-    "𝕕",
-    "∇",
-    "Δ",
-    "√",
-    "|",
-    "||",
-    "‖",
-    "⟨",
-    "⟩",
-    "<",
-    ">",
-    "=",
-    "≠",
-    "≤",
-    "∈",
-    "∉",
-    "⊂",
-    "→",
-    "(",
-    ")",
-    "[",
-    "]",
-    "{",
-    "}",
-    ",",
-    ";",
-    "\n",
-    " ",
-    "  ",
-    "where ",
-    "with ",
-    "if ",
-    "for ",
-    "otherwise",
-    " and ",
-    " or ",
-    " from ",
-    "min_(",
-    "s.t.",
-    "`",
-    "`q r`",
-    "#",
-    "ℝ",
-    "ℤ",
-    "π",
-    "∞",
-    "∅",
-    "'",
-    "$",
-    "//",
-    "sum_(",
-    "int_",
-    "with initial ",
-    "FaceMesh",
-    "sparse",
-    "\u{0}",
-    "\r\n",
-    "+=",
-];
 
 #[test]
 fn mutated_programs() {
@@ -222,6 +127,23 @@ fn long_repetitions() {
     ] {
         survive(&format!("y = {}", format!("{first}{second}").repeat(1000)));
         survive(&format!("{first}{second}").repeat(1000));
+    }
+}
+
+/// Four times the text takes about four times the steps, whatever is repeated: nothing is looked at again and again,
+/// beyond a bounded look ahead; what is looked at for each piece again would take sixteen times the steps.
+#[test]
+fn steps_grow_with_the_length() {
+    let steps = |text: String| count_steps(&Source::file("test.hlang", text));
+    for start in ["h(a) = b where ", "y = { a if b > 0\n"] {
+        for first in PIECES {
+            for second in ["a", ", ", "; "] {
+                let unit = format!("{first}{second}");
+                let short = steps(format!("{start}{}", unit.repeat(300)));
+                let long = steps(format!("{start}{}", unit.repeat(1200)));
+                assert!(long <= 8 * short, "{start:?} {unit:?}: {short} then {long}");
+            }
+        }
     }
 }
 

@@ -93,10 +93,12 @@ struct Layout<'a> {
     mode: Mode,
     /// The open brackets that are closed somewhere.
     open: Vec<Kind>,
+    /// Number of tokens looked at.
+    steps: usize,
 }
 
-/// Drops the line breaks that mean nothing and names the others.
-pub(super) fn lay_out(mut raw: Vec<Token>) -> Vec<Token> {
+/// Drops the line breaks that mean nothing and names the others; also tells the number of steps.
+pub(super) fn lay_out(mut raw: Vec<Token>) -> (Vec<Token>, usize) {
     find_piecewise(&mut raw);
     let mut layout = Layout {
         partners: partners(&raw),
@@ -104,6 +106,7 @@ pub(super) fn lay_out(mut raw: Vec<Token>) -> Vec<Token> {
         out: Vec::with_capacity(raw.len()),
         mode: Mode::Items,
         open: Vec::new(),
+        steps: 0,
     };
     let mut index = 0;
     while index < raw.len() {
@@ -126,11 +129,12 @@ pub(super) fn lay_out(mut raw: Vec<Token>) -> Vec<Token> {
             _ => layout.plain(index - 1),
         }
     }
-    layout.out
+    (layout.out, layout.steps)
 }
 
 impl Layout<'_> {
     fn plain(&mut self, index: usize) {
+        self.steps += 1;
         let token = self.raw[index];
         if self.partners[index] != NONE {
             match opening(token.kind) {
@@ -166,6 +170,10 @@ impl Layout<'_> {
         }
         if before == Kind::Newline {
             return None;
+        }
+        // `ℝ; ℤ → ℝ`: no item begins with a type
+        if semicolon && matches!(after, Kind::Reals | Kind::Integers) {
+            return Some(Kind::Semicolon);
         }
         if !semicolon && before.continues() {
             return None;
@@ -210,26 +218,27 @@ impl Layout<'_> {
     }
 
     /// Whether a line says that something is in an interval, `… ∈ [a, b]`.
-    fn is_in_interval(&self, from: usize) -> bool {
+    fn is_in_interval(&mut self, from: usize) -> bool {
         let stop = |kind| matches!(kind, Kind::Assign | Kind::Colon | Kind::Subset);
         self.position(from, stop, |kind| kind == Kind::In)
             .is_some_and(|index| self.raw[index + 1].kind == Kind::LeftBracket)
     }
 
     /// Whether `wanted` comes before `stop` in the rest of the line, outside brackets.
-    fn first(&self, from: usize, stop: fn(Kind) -> bool, wanted: fn(Kind) -> bool) -> bool {
+    fn first(&mut self, from: usize, stop: fn(Kind) -> bool, wanted: fn(Kind) -> bool) -> bool {
         self.position(from, stop, wanted).is_some()
     }
 
     /// Where `wanted` stands, if it comes before `stop` in the rest of the line, outside brackets.
     fn position(
-        &self,
+        &mut self,
         from: usize,
         stop: fn(Kind) -> bool,
         wanted: fn(Kind) -> bool,
     ) -> Option<usize> {
         let mut index = from;
         loop {
+            self.steps += 1;
             let kind = self.raw[index].kind;
             if wanted(kind) {
                 return Some(index);

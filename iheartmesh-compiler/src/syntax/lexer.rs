@@ -83,31 +83,6 @@ pub(super) fn lex(text: &str, source: SourceId) -> Lexed {
     lexer.out
 }
 
-/// Whether two texts are other tokens when nothing stands between them.
-pub(super) fn joins(left: &str, right: &str) -> bool {
-    let tokens = lex(&format!("{left}{right}"), SourceId(0)).tokens;
-    let boundary = |token: &Token| token.start as usize == left.len();
-    !tokens.iter().any(boundary)
-}
-
-/// Whether two texts are one and the same word.
-pub(super) fn is_same_word(first: &str, second: &str) -> bool {
-    let word = |text: &str| {
-        let lexed = lex(text, SourceId(0));
-        match lexed.tokens[..] {
-            [
-                Token {
-                    kind: Kind::Word(id),
-                    ..
-                },
-                _,
-            ] => Some(lexed.texts.get(id).to_owned()),
-            _ => None,
-        }
-    };
-    word(first).is_some_and(|first| word(second) == Some(first))
-}
-
 impl Lexer<'_> {
     fn rest(&self) -> &str {
         &self.text[self.at..]
@@ -157,6 +132,8 @@ impl Lexer<'_> {
                 | Kind::Partial
                 | Kind::SuperscriptNumber(_),
             ) => line,
+            // the next parameter of a function type; nothing else begins with a type
+            (Line::Targets, Kind::Reals | Kind::Integers) => Line::Type,
             (Line::Type | Line::Further, Kind::Assign | Kind::AddAssign) => Line::Other,
             (Line::Type | Line::Further, _) => Line::Type,
             _ => Line::Other,

@@ -25,6 +25,8 @@ pub(super) struct Prepared {
     pub names_t: bool,
     /// Where the text could not be split into tokens.
     pub damaged: Vec<Span>,
+    /// How many tokens were looked at to settle the line breaks.
+    pub steps: usize,
 }
 
 struct Splitter<'a> {
@@ -50,7 +52,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         errors,
     } = lex(text, source);
     let damaged = errors.iter().map(Diagnostic::span).collect();
-    let raw = lay_out(tokens);
+    let (raw, steps) = lay_out(tokens);
     let Collected { module, mut items } = collect(&raw, &texts, imports);
     let mut splitter = Splitter {
         text,
@@ -89,6 +91,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         items,
         names_t: module.contains_key("T"),
         damaged,
+        steps,
     }
 }
 

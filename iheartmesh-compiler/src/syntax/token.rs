@@ -170,6 +170,15 @@ impl Kind {
             )
     }
 
+    /// Words that cannot be names without back-ticks.
+    pub fn is_word(self) -> bool {
+        use Kind::*;
+        matches!(
+            self,
+            Where | With | For | If | Otherwise | And | Or | From | Reals | Integers
+        )
+    }
+
     /// How a message calls this kind of token; `None` when its own text says it best.
     pub fn description(self) -> Option<&'static str> {
         match self {

@@ -34,7 +34,12 @@ r, s, y ∈ ℝ";
 
 /// Compares the table of some probes.
 pub fn check_probes(rows: &str, expected: expect_test::Expect) {
-    expected.assert_eq(&table(PROBES, rows));
+    expected.assert_eq(&probes(rows));
+}
+
+/// The table of some probes, in the scope of the symbols that they use.
+pub fn probes(rows: &str) -> String {
+    table(PROBES, rows)
 }
 
 /// For each line of `rows` in the scope of `context`: its tree, or its first message.
@@ -145,3 +150,14 @@ fn literals(text: &str) -> impl Iterator<Item = String> {
     let all: Vec<String> = raw.chain(plain).map(str::to_owned).collect();
     all.into_iter()
 }
+
+/// Pieces that programs are made of, for random texts.
+#[rustfmt::skip]
+pub const PIECES: &[&str] = &[
+    "a", "f", "xy", "θ", "x̂", "1", "0", "2.5", "½", "²", "ᵀ", "⁻¹", "⁺", "₁", "ᵢ", "_", "^", "+", "-", "±",
+    "*", "/", "⋅", "×", "∘", "⊗", "\\", ":", "∪", "∩", "∑", "∏", "∫", "∂", "𝕕", "∇", "Δ", "√", "|", "||", "‖",
+    "⟨", "⟩", "<", ">", "=", "≠", "≤", "∈", "∉", "⊂", "→", "(", ")", "[", "]", "{", "}", ",", ";", "\n", " ",
+    "  ", "where ", "with ", "if ", "for ", "otherwise", " and ", " or ", " from ", "min_(", "s.t.", "`",
+    "`q r`", "#", "ℝ", "ℤ", "π", "∞", "∅", "'", "$", "//", "sum_(", "int_", "with initial ", "FaceMesh",
+    "sparse", "\u{0}", "\r\n", "+=",
+];

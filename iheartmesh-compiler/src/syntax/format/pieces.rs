@@ -1,12 +1,13 @@
 //! Tokens with their new spelling: most are one piece, `||`, `{}` and `^2` several tokens in one.
 
-use super::super::lexer::{is_same_word, joins};
+use super::super::lexer::lex;
 use super::super::token::{Kind, Token};
 use super::Care;
 use super::gap::{Gap, is_separator};
 use super::roles::Role;
 use super::space::{closes, opens};
 use super::spell::{Place, spell};
+use crate::span::SourceId;
 
 /// A part of the text that is written without a break.
 #[derive(Debug)]
@@ -105,4 +106,29 @@ fn is_apart(left: &str, right: &str, touching: Option<(&str, &str)>) -> bool {
             || is_same_word(&format!("{first}{second}"), &format!("{left}{right}"))
     });
     !kept && joins(left, right)
+}
+
+/// Whether two texts are other tokens when nothing stands between them.
+fn joins(left: &str, right: &str) -> bool {
+    let tokens = lex(&format!("{left}{right}"), SourceId(0)).tokens;
+    let boundary = |token: &Token| token.start as usize == left.len();
+    !tokens.iter().any(boundary)
+}
+
+/// Whether two texts are one and the same word.
+fn is_same_word(first: &str, second: &str) -> bool {
+    let word = |text: &str| {
+        let lexed = lex(text, SourceId(0));
+        match lexed.tokens[..] {
+            [
+                Token {
+                    kind: Kind::Word(id),
+                    ..
+                },
+                _,
+            ] => Some(lexed.texts.get(id).to_owned()),
+            _ => None,
+        }
+    };
+    word(first).is_some_and(|first| word(second) == Some(first))
 }

@@ -59,7 +59,7 @@ impl Parser<'_> {
                 "the item goes on over the line break before this; is that line complete?"
             }
             Kind::Where | Kind::With => {
-                "`where` follows a function with parameters or directly a sum"
+                "`where` follows a function with parameters or directly a sum; before parameters of the module it stands alone on its line"
             }
             Kind::Otherwise | Kind::If => "a piecewise value begins with `{`",
             Kind::Less | Kind::LessOrEqual | Kind::Greater | Kind::GreaterOrEqual => {

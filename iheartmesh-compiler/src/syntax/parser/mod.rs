@@ -84,7 +84,7 @@ struct Parser<'a> {
     count: usize,
     /// Where the last warning about `^T` stands, so that it comes once however often the place is looked at.
     warned_t: Option<usize>,
-    /// Where the text could not even be split into tokens.
+    /// Where the text could not even be split into tokens, in order.
     damaged: Vec<Span>,
     steps: usize,
 }
@@ -127,6 +127,7 @@ fn begin<'a>(
         items,
         names_t,
         damaged,
+        steps,
     } = prepare(text, source, imports);
     let mut parser = Parser {
         text,
@@ -144,7 +145,7 @@ fn begin<'a>(
         count: 0,
         warned_t: None,
         damaged,
-        steps: 0,
+        steps,
     };
     if !fits {
         let span = Span::new(source, 0, 0);
@@ -244,8 +245,10 @@ impl Parser<'_> {
     fn is_damaged(&self, item: &ItemNames) -> bool {
         let first = self.tokens[item.range.start].start;
         let end = self.tokens[item.range.end].start;
-        let mut places = self.damaged.iter();
-        places.any(|span| (first..end).contains(&span.start))
+        let before = self.damaged.partition_point(|span| span.start < first);
+        self.damaged
+            .get(before)
+            .is_some_and(|span| span.start < end)
     }
 
     fn lose(&self, item: &ItemNames, lost: &mut BTreeSet<String>) {
@@ -281,15 +284,28 @@ impl Parser<'_> {
         if kind == Kind::Unknown {
             return Err(Failed);
         }
+        let unmatched = self.partner().is_none();
+        let defined = matches!(self.ahead(1), Kind::In | Kind::Colon | Kind::Assign);
         let special = match kind {
-            Kind::Transpose | Kind::Inverse | Kind::PseudoInverse => {
+            kind if kind.is_word() && defined => {
+                Some("this word has a meaning of its own; between back-ticks it is a name")
+            }
+            Kind::Transpose | Kind::Inverse | Kind::PseudoInverse if !self.tight(0) => {
                 Some("a superscript follows its operand without a blank")
             }
             Kind::Stray if self.token_text() == "'" => {
                 Some("a prime is part of a name only in back-ticks, as in `x'` between back-ticks")
             }
+            Kind::Stray if is_rare_subscript(self.token_text()) => {
+                Some("there is no such subscript character in the language; write `x_r`")
+            }
+            Kind::Stray if self.token_text() == "⁻" => Some(
+                "an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`",
+            ),
             Kind::Stray => Some("this character means nothing in the language; remove it"),
-            Kind::RightBrace => Some("a piecewise value has no closing brace; remove it"),
+            Kind::RightBrace if unmatched => {
+                Some("a piecewise value has no closing brace; remove it")
+            }
             _ => None,
         };
         let message = match kind {
@@ -372,4 +388,9 @@ impl Parser<'_> {
         let message = format!("this is nested deeper than {MOST_NESTING} levels");
         self.fail(Diagnostic::error(span, message).help("give parts of it names of their own"))
     }
+}
+
+/// Letters that Unicode has as subscripts, but the language has not.
+fn is_rare_subscript(text: &str) -> bool {
+    matches!(text, "ᵣ" | "ᵤ" | "ᵥ" | "ᵦ" | "ᵧ" | "ᵨ" | "ᵩ" | "ᵪ")
 }
