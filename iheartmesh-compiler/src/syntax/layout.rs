@@ -1,6 +1,8 @@
 //! Settles what brackets match and what each line break and `;` means: nothing, the end of an item, of a matrix
 //! row, or of a branch.
 
+use std::cell::Cell;
+
 use super::token::{Kind, Token};
 
 /// No partner.
@@ -94,7 +96,7 @@ struct Layout<'a> {
     /// The open brackets that are closed somewhere.
     open: Vec<Kind>,
     /// Number of tokens looked at.
-    steps: usize,
+    steps: Cell<usize>,
 }
 
 /// Drops the line breaks that mean nothing and names the others; also tells the number of steps.
@@ -106,7 +108,7 @@ pub(super) fn lay_out(mut raw: Vec<Token>) -> (Vec<Token>, usize) {
         out: Vec::with_capacity(raw.len()),
         mode: Mode::Items,
         open: Vec::new(),
-        steps: 0,
+        steps: Cell::new(0),
     };
     let mut index = 0;
     while index < raw.len() {
@@ -129,12 +131,12 @@ pub(super) fn lay_out(mut raw: Vec<Token>) -> (Vec<Token>, usize) {
             _ => layout.plain(index - 1),
         }
     }
-    (layout.out, layout.steps)
+    (layout.out, layout.steps.get())
 }
 
 impl Layout<'_> {
     fn plain(&mut self, index: usize) {
-        self.steps += 1;
+        self.steps.update(|steps| steps + 1);
         let token = self.raw[index];
         if self.partners[index] != NONE {
             match opening(token.kind) {
@@ -218,27 +220,27 @@ impl Layout<'_> {
     }
 
     /// Whether a line says that something is in an interval, `… ∈ [a, b]`.
-    fn is_in_interval(&mut self, from: usize) -> bool {
+    fn is_in_interval(&self, from: usize) -> bool {
         let stop = |kind| matches!(kind, Kind::Assign | Kind::Colon | Kind::Subset);
         self.position(from, stop, |kind| kind == Kind::In)
             .is_some_and(|index| self.raw[index + 1].kind == Kind::LeftBracket)
     }
 
     /// Whether `wanted` comes before `stop` in the rest of the line, outside brackets.
-    fn first(&mut self, from: usize, stop: fn(Kind) -> bool, wanted: fn(Kind) -> bool) -> bool {
+    fn first(&self, from: usize, stop: fn(Kind) -> bool, wanted: fn(Kind) -> bool) -> bool {
         self.position(from, stop, wanted).is_some()
     }
 
     /// Where `wanted` stands, if it comes before `stop` in the rest of the line, outside brackets.
     fn position(
-        &mut self,
+        &self,
         from: usize,
         stop: fn(Kind) -> bool,
         wanted: fn(Kind) -> bool,
     ) -> Option<usize> {
         let mut index = from;
         loop {
-            self.steps += 1;
+            self.steps.update(|steps| steps + 1);
             let kind = self.raw[index].kind;
             if wanted(kind) {
                 return Some(index);
