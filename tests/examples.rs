@@ -24,6 +24,37 @@ both_ways! {
     Geodesic, PlainGeodesic = "examples/geodesic_distance.hlang";
 }
 
+iheartmesh::iheartmesh! {
+    /// The listing of section 4.3.4 of the paper.
+    pub struct Close = r#"
+        ElementSets from MeshConnectivity
+        VertexOneRing from Neighborhoods(M)
+        M: FaceMesh
+        V, E, F = ElementSets( M )
+        x_i ∈ ℝ³
+        i ∈ V
+        d ∈ ℝ
+        S = {j for j ∈ VertexOneRing(i) if ||x_i - x_j||² < d}
+    "#;
+}
+
+#[test]
+fn vertices_of_a_ring_that_are_close() {
+    let (mesh, x) = bundled("bob_small");
+    let d = 0.03;
+    let (mut some, mut all) = (0, 0);
+    for i in mesh.vertices() {
+        let ends = |e| mesh.edge_vertices(e).into_iter().find(|j| *j != i).unwrap();
+        let ring: Vec<Vertex> = mesh.vertex_edges(i).iter().map(ends).collect();
+        let is_close = |j: &&Vertex| x[i.index()].distance_squared(x[j.index()]) < d;
+        let expected: Set<Vertex> = ring.iter().filter(is_close).copied().collect();
+        all += ring.len();
+        some += expected.len();
+        assert_eq!(Close::new(&mesh, &x, i, d).unwrap().S(), expected);
+    }
+    assert!(0 < some && some < all, "{some} of {all}");
+}
+
 fn bundled(name: &str) -> (FaceMesh, Vec<DVec3>) {
     let file = io::read(support::workspace().join(format!("meshes/{name}.ply"))).unwrap();
     (file.face_mesh().unwrap(), file.positions)
