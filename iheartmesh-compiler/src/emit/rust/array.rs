@@ -176,6 +176,15 @@ impl Body<'_> {
     }
 
     fn blocks(&mut self, e: ExprId, rows: &[Vec<ExprId>]) -> TokenStream {
+        if let [columns] = rows
+            && super::types::is_glam(self.ty(e))
+            && columns.iter().all(|c| super::types::is_glam(self.ty(*c)))
+            && columns.iter().all(|c| self.ty(*c).fixed_vector().is_some())
+        {
+            let ty = self.context.inner_type(self.ty(e));
+            let columns = columns.iter().map(|c| self.value(*c)).collect::<Vec<_>>();
+            return quote!(#ty::from_cols(#(#columns),*));
+        }
         let (start, put, finish) = match self.ty(e).is_sparse() {
             true => (
                 quote!(rt::sparse_blocks),
