@@ -39,7 +39,7 @@ fn find(staged: &StagedProgram, id: FunctionId) -> Vec<Local> {
         let is_innermost = plan.below(Some(space)).next().is_none();
         let is_below_key = plan
             .space(space)
-            .is_some_and(|s| s.parent == Some(key.variable) && matches!(s.rows, Rows::Members(_)));
+            .is_some_and(|s| s.parent == Some(key.variable) && s.rows.is_several());
         if !is_innermost || !is_below_key {
             continue;
         }

@@ -4,6 +4,7 @@
 //! Each pass is a file with a function `run`; [`Optimizations`] turns each one off, so that tests can compare.
 
 pub mod binding;
+mod corners;
 mod fields;
 mod inline;
 mod locals;
@@ -17,6 +18,7 @@ pub mod rewrite;
 mod share;
 pub mod show;
 mod traverse;
+mod triangles;
 
 use std::collections::BTreeMap;
 
@@ -36,6 +38,8 @@ pub struct Optimizations {
     pub share: bool,
     /// What depends only on the mesh is computed once per mesh and stored in tables.
     pub plan: bool,
+    /// Rows that name the corners of a triangle are turned so that the key comes first.
+    pub corners: bool,
     /// Values of functions of one element are computed once for all elements where a whole field needs them often, and
     /// once for each element around a key where a single value needs them.
     pub fields: bool,
@@ -51,6 +55,7 @@ impl Optimizations {
         nonzeros: true,
         share: true,
         plan: true,
+        corners: true,
         fields: true,
         orbits: true,
     };
@@ -61,13 +66,14 @@ impl Optimizations {
         nonzeros: false,
         share: false,
         plan: false,
+        corners: false,
         fields: false,
         orbits: false,
     };
 
     /// Names of the switches, in the order of the passes.
-    pub const NAMES: [&'static str; 7] = [
-        "traverse", "inline", "nonzeros", "share", "plan", "fields", "orbits",
+    pub const NAMES: [&'static str; 8] = [
+        "traverse", "inline", "nonzeros", "share", "plan", "corners", "fields", "orbits",
     ];
 
     /// Sets a switch by its name; `false` when there is none of this name.
@@ -77,6 +83,7 @@ impl Optimizations {
             "inline" => &mut self.inline,
             "share" => &mut self.share,
             "plan" => &mut self.plan,
+            "corners" => &mut self.corners,
             "fields" => &mut self.fields,
             "nonzeros" => &mut self.nonzeros,
             "orbits" => &mut self.orbits,
@@ -105,6 +112,15 @@ pub enum Rows {
     Universe(Element),
     /// The members of a set, for each row of the space above; without one, of a single set.
     Members(ExprId),
+    /// The rows of another space that hold the key, turned so that it comes first.
+    Corners(VariableId),
+}
+
+impl Rows {
+    /// Whether there are several rows for each row of the space above.
+    pub fn is_several(self) -> bool {
+        matches!(self, Self::Members(_) | Self::Corners(_))
+    }
 }
 
 /// A level of a plan.
@@ -125,8 +141,26 @@ pub struct Space {
 pub struct Plan {
     /// Levels, each after the one above it.
     pub spaces: Vec<Space>,
+    /// How rows are turned.
+    pub corners: Vec<Corners>,
     /// Values that the rows of a key share.
     pub locals: Vec<Local>,
+}
+
+/// How the rows of a space are turned so that the key comes first: a row of the new space holds the two corners after the
+/// key, then further columns.
+#[derive(Clone, Debug)]
+pub struct Corners {
+    /// The new space.
+    pub space: VariableId,
+    /// The space whose rows are turned; those that cannot be stay in it.
+    pub of: VariableId,
+    /// The columns that are turned in a circle.
+    pub circle: [u32; 3],
+    /// Columns that must be what stands in the circle one or two places after the key, with this number.
+    pub merged: Vec<(u32, u32)>,
+    /// Columns that are kept.
+    pub kept: Vec<u32>,
 }
 
 /// Calls of a function of one element in the rows of a space, whose values are computed once for each element around
@@ -239,6 +273,9 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
         program,
     };
     plan::run(&mut staged, &binding, optimizations.plan);
+    if optimizations.plan && optimizations.corners {
+        corners::run(&mut staged);
+    }
     if optimizations.plan && optimizations.fields {
         fields::run(&mut staged);
         locals::run(&mut staged);

@@ -15,7 +15,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::{Orbit, Rows, StagedProgram, Whole, rewrite, share};
+use super::{Orbit, StagedProgram, Whole, rewrite, share, triangles};
 use crate::ir::{Arena, ExprId, Fold, FunctionId, Kind, Range, Unary, VariableId};
 use crate::types::Type;
 
@@ -104,7 +104,11 @@ fn orbit(
     };
     let plan = &staged.functions[&id].plan;
     let rows = plan.space(space)?;
-    if rows.parent != Some(key) || !matches!(rows.rows, Rows::Members(_)) {
+    // few rows, if any, are left in a space whose rows are turned
+    if plan.corners.iter().any(|c| c.of == space) {
+        return None;
+    }
+    if rows.parent != Some(key) || !rows.rows.is_several() {
         return None;
     }
     let arena = &mut staged.program.arena;
@@ -153,7 +157,16 @@ fn orbit(
         return None;
     }
     let mut best: Option<(u32, usize, Vec<usize>, Vec<ExprId>)> = None;
+    let is_turned = staged.functions[&id]
+        .plan
+        .corners
+        .iter()
+        .any(|c| c.space == space);
     for (permutation, order) in permutations(&types) {
+        // the corners of a triangle go around
+        if is_turned && permutation[..3] != [1, 2, 0] {
+            continue;
+        }
         let mut terms = vec![single];
         let mut power = permutation.clone();
         for _ in 1..order {
@@ -165,6 +178,14 @@ fn orbit(
             let exchanged = rewrite::substitute(arena, single, &exchange);
             terms.push(share::expression(arena, exchanged));
             power = power.iter().map(|p| permutation[*p]).collect();
+        }
+        // the areas of triangles are shared where that saves something
+        let areas: Vec<ExprId> = terms
+            .iter()
+            .map(|term| triangles::expression(arena, *term))
+            .collect();
+        if cost(arena, &areas) < cost(arena, &terms) {
+            terms = areas;
         }
         let together = cost(arena, &terms);
         let apart = single_cost * order as u32;

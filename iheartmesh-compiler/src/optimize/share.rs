@@ -7,12 +7,18 @@
 //! ```
 //!
 //! All of these keep the value bit for bit (IEEE 754 arithmetic is symmetric in sign and its sums and products are
-//! commutative), except `‖u‖²`, whose new form is the more exact one.
+//! commutative), except `‖u‖²`, whose new form is the more exact one, and
+//!
+//! ```text
+//! ∑ 3 u        ⟶  3 ∑ u         ∑ u / 3                     ⟶  (∑ u) / 3
+//! ```
+//!
+//! which rounds less often.
 
 use std::collections::HashMap;
 
 use super::rewrite;
-use crate::ir::{Arena, Binary, ExprId, Kind, Program, Unary};
+use crate::ir::{Arena, Binary, ExprId, Fold, Kind, Program, Unary};
 use crate::types::Type;
 
 /// Brings all of a program to the common form.
@@ -32,7 +38,8 @@ fn negated(arena: &Arena, e: ExprId) -> Option<ExprId> {
     }
 }
 
-fn negate(arena: &mut Arena, e: ExprId) -> ExprId {
+/// The negative of an expression.
+pub fn negate(arena: &mut Arena, e: ExprId) -> ExprId {
     if let Some(inner) = negated(arena, e) {
         return inner;
     }
@@ -47,7 +54,8 @@ fn real(arena: &Arena, e: ExprId) -> Option<f64> {
     }
 }
 
-fn canonical(arena: &mut Arena, e: ExprId) -> ExprId {
+/// The common form of an expression whose operands are in common form.
+pub fn canonical(arena: &mut Arena, e: ExprId) -> ExprId {
     let ty = arena.ty(e).clone();
     match arena.kind(e).clone() {
         // where integers may be too large, every step must be as it is written
@@ -66,8 +74,51 @@ fn canonical(arena: &mut Arena, e: ExprId) -> ExprId {
             None => e,
         },
         Kind::Binary(op, a, b) => binary(arena, e, op, a, b, ty),
+        Kind::Fold {
+            op: Fold::Sum,
+            body,
+            ..
+        } if ty == Type::REAL || ty.fixed_vector().is_some() => factor_out(arena, e, body, ty),
         _ => e,
     }
+}
+
+/// A sum without the constant factor of its terms, times that.
+fn factor_out(arena: &mut Arena, sum: ExprId, term: ExprId, ty: Type) -> ExprId {
+    // the sign stays inside, so that the sum of nothing is 0 and not -0
+    let inner = negated(arena, term);
+    let is_negated = inner.is_some();
+    let Kind::Binary(op, a, b) = *arena.kind(inner.unwrap_or(term)) else {
+        return sum;
+    };
+    let (factor, rest) = match op {
+        Binary::Multiply => (a, b),
+        Binary::Divide => (b, a),
+        _ => return sum,
+    };
+    let is_constant = real(arena, factor).is_some_and(|c| c.is_normal() && c > 0.0);
+    if !is_constant || *arena.ty(rest) != ty {
+        return sum;
+    }
+    let rest = match is_negated {
+        true => negate(arena, rest),
+        false => rest,
+    };
+    let mut kind = arena.kind(sum).clone();
+    if let Kind::Fold { body, .. } = &mut kind {
+        *body = rest;
+    }
+    let plain = arena.add(kind, ty.clone());
+    if let Some(span) = arena.origin(sum) {
+        arena.note_origin(plain, span);
+    }
+    let plain = canonical(arena, plain);
+    let kind = match op {
+        Binary::Multiply => Kind::Binary(op, factor, plain),
+        _ => Kind::Binary(op, plain, factor),
+    };
+    let scaled = arena.add(kind, ty);
+    canonical(arena, scaled)
 }
 
 fn binary(arena: &mut Arena, e: ExprId, op: Binary, a: ExprId, b: ExprId, ty: Type) -> ExprId {

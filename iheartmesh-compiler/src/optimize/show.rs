@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Plan, Rows, Staged, StagedProgram};
+use super::{Corners, Plan, Rows, Staged, StagedProgram};
 use crate::ir::{FunctionId, GlobalId, expression};
 use crate::types::display::plural;
 
@@ -65,11 +65,18 @@ fn plan(staged: &StagedProgram, plan: &Plan, text: &mut String) {
             Rows::Key(element) => format!("one row for each of the {}", plural(element.kind)),
             Rows::Universe(element) => format!("all {}", plural(element.kind)),
             Rows::Members(set) => format!("members of {}", expression(program, set)),
+            Rows::Corners(of) => {
+                format!("rows {} with the key, turned so that it is first", name(of))
+            }
         };
         let parent = space
             .parent
             .map_or(String::new(), |p| format!(" of {}", name(p)));
         let _ = writeln!(text, "    rows {}{parent}: {rows}", name(space.variable));
+        if let Some(corners) = plan.corners.iter().find(|c| c.space == space.variable) {
+            turned(corners, text);
+            continue;
+        }
         for (k, column) in space.columns.iter().enumerate() {
             let mark = if column.may_fail {
                 ", may be missing"
@@ -97,6 +104,23 @@ fn plan(staged: &StagedProgram, plan: &Plan, text: &mut String) {
             local.function.0,
             columns.join(", ")
         );
+    }
+}
+
+/// Where the columns of turned rows come from.
+fn turned(corners: &Corners, text: &mut String) {
+    let circle = corners.circle.map(|k| format!("⟨{k}⟩")).join(" → ");
+    for k in 0..2 {
+        let merged = corners.merged.iter().filter(|m| m.1 == k + 1);
+        let merged: String = merged.map(|m| format!(", the same as ⟨{}⟩", m.0)).collect();
+        let _ = writeln!(
+            text,
+            "        ⟨{k}⟩ {} after the key in {circle}{merged}",
+            k + 1
+        );
+    }
+    for (k, column) in (2..).zip(&corners.kept) {
+        let _ = writeln!(text, "        ⟨{k}⟩ ⟨{column}⟩");
     }
 }
 

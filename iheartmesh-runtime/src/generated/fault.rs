@@ -11,8 +11,8 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// A failure with this reason.
-    #[cold]
+    /// A failure with this reason. Written before the access that may fail, in the middle of loops.
+    #[inline(always)]
     pub const fn new(reason: &'static str) -> Self {
         Self { reason }
     }

@@ -4,6 +4,7 @@ mod all;
 mod array;
 mod chain;
 mod check;
+mod corners;
 mod dense;
 mod fault;
 mod host;
@@ -26,6 +27,7 @@ pub use check::{
     check_members, check_pairs, check_same_length, check_set, check_set_argument, check_size, fail,
     undefined,
 };
+pub use corners::corners;
 pub use dense::*;
 pub use fault::{
     Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, entry_mut, integer,
@@ -39,7 +41,7 @@ pub use ids::{
 pub use linear::*;
 pub use local::Locals;
 pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};
-pub use orbit::Orbits;
+pub use orbit::{Grouped, Orbits};
 pub use quadrature::integral;
 pub use sparse::*;
 pub use table::{Dense, Rows, Table, concatenated};

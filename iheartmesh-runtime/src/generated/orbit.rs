@@ -10,6 +10,40 @@ use rayon::prelude::*;
 use super::all::is_parallel;
 use super::{Fallible, NO_ELEMENT, Table, for_each_element};
 
+/// A sum whose terms are computed in groups.
+///
+/// The methods are inlined into loops over groups: a closure with so much in it, called at several places, would not be.
+pub trait Grouped<const A: usize, const M: usize, const N: usize>: Sync {
+    /// The type of the terms and of their sum.
+    type Term: Copy + AddAssign + Send + Sync;
+    /// The type of the values.
+    type Value: Clone + Send + Sync;
+
+    /// The sum of no terms.
+    fn zero(&self) -> Self::Term;
+
+    /// Reads what the terms of a group need, without computing with it.
+    fn touch(&self, elements: &[u32; A]) -> u64;
+
+    /// The terms of a group from the elements of its first row.
+    ///
+    /// # Errors
+    /// When a term has no value.
+    fn terms(&self, elements: [u32; A]) -> Fallible<[Self::Term; M]>;
+
+    /// The term of a single row.
+    ///
+    /// # Errors
+    /// When it has no value.
+    fn term(&self, key: u32, row: &[u32; N]) -> Fallible<Self::Term>;
+
+    /// The value of a key from the sum of its terms.
+    ///
+    /// # Errors
+    /// When it has no value.
+    fn rest(&self, key: u32, sum: Self::Term) -> Fallible<Self::Value>;
+}
+
 /// Groups of `M` rows with `A` elements each; the elements of each row of a group are those of the row before it,
 /// exchanged. The first element of a row is its key.
 #[derive(Clone, Debug)]
@@ -176,23 +210,14 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         }
     }
 
-    /// The value of each key: `rest` of the key and the sum of its terms. `terms` gives those of a group from the
-    /// elements of its first row, `touch` reads what these need, `term` gives that of a single row. Every sum is formed in the same order, whatever the
-    /// number of threads. `None` when any of them has no value.
-    pub fn values<const N: usize, T, R>(
+    /// The value of each key. Every sum is formed in the same order, whatever the number of threads. `None` when any of them
+    /// has no value.
+    pub fn values<const N: usize, G: Grouped<A, M, N>>(
         &self,
         table: &Table<N>,
-        zero: T,
-        touch: impl Fn(&[u32; A]) -> u64 + Sync,
-        terms: impl Fn([u32; A]) -> Fallible<[T; M]> + Sync,
-        term: impl Fn(u32, &[u32; N]) -> Fallible<T> + Sync,
-        rest: impl Fn(u32, T) -> Fallible<R> + Sync,
-    ) -> Option<Vec<R>>
-    where
-        T: Copy + AddAssign + Send + Sync,
-        R: Clone + Send + Sync,
-    {
-        let mut sums = vec![zero; self.n_keys];
+        of: &G,
+    ) -> Option<Vec<G::Value>> {
+        let mut sums = vec![of.zero(); self.n_keys];
         let is_parallel = is_parallel(self.n_keys);
         if is_parallel {
             // the larger the pieces, the fewer groups belong to two of them
@@ -202,18 +227,13 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                 .enumerate()
                 .map(|(k, sums)| {
                     let blocks = k * piece..self.blocks.len().min((k + 1) * piece);
-                    self.add_terms(blocks, sums, table, (&touch, &terms), &term)
+                    self.add_terms(blocks, sums, table, of)
                 })
                 .reduce(|| Some(()), |a, b| a.and(b))?;
         } else {
-            self.add_terms(
-                0..self.blocks.len(),
-                &mut sums,
-                table,
-                (&touch, &terms),
-                &term,
-            )?;
+            self.add_terms(0..self.blocks.len(), &mut sums, table, of)?;
         }
+        let rest = |key, sum| of.rest(key, sum);
         match &self.rank {
             // the memory of the sums is used again
             None if !is_parallel => {
@@ -231,16 +251,12 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
     /// Adds the terms of the keys of some blocks. A group with keys in other blocks too is evaluated there again, so
     /// that no two threads write to the same place.
     #[inline(never)]
-    fn add_terms<const N: usize, T: Copy + AddAssign>(
+    fn add_terms<const N: usize, G: Grouped<A, M, N>>(
         &self,
         blocks: Range<usize>,
-        sums: &mut [T],
+        sums: &mut [G::Term],
         table: &Table<N>,
-        (touch, terms): (
-            &impl Fn(&[u32; A]) -> u64,
-            &impl Fn([u32; A]) -> Fallible<[T; M]>,
-        ),
-        term: &impl Fn(u32, &[u32; N]) -> Fallible<T>,
+        of: &G,
     ) -> Option<()> {
         let first_key = blocks.start * self.block_size;
         let before = |block: usize| match block.checked_sub(1) {
@@ -254,7 +270,7 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
             let range = first..first + self.block_size;
             let foreign = &self.blocks[block].foreign;
             for &group in foreign.iter().take_while(|group| **group < start) {
-                let values = terms(self.groups[group as usize]).ok()?;
+                let values = terms_apart(of, self.groups[group as usize])?;
                 for (target, value) in self.targets_of(group as usize).into_iter().zip(values) {
                     if range.contains(&(target as usize)) {
                         sums[target as usize - first_key] += value;
@@ -264,7 +280,7 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         }
         let own = start as usize..end as usize;
         // keys of other pieces are beyond the end, those before the first one by wrapping around
-        let mut add = |targets: [u32; M], values: [T; M]| {
+        let mut add = |targets: [u32; M], values: [G::Term; M]| {
             for (target, value) in targets.into_iter().zip(values) {
                 if let Some(sum) = sums.get_mut((target as usize).wrapping_sub(first_key)) {
                     *sum += value;
@@ -274,23 +290,24 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         match &self.targets {
             None => {
                 for group in &self.groups[own] {
-                    add(self.keys.map(|k| group[k]), terms(*group).ok()?);
+                    add(self.keys.map(|k| group[k]), of.terms(*group).ok()?);
                 }
             }
             Some(targets) => {
                 let groups = self.groups[own.clone()].chunks(BATCH);
                 for (groups, targets) in groups.zip(targets[own].chunks(BATCH)) {
                     // read at once what comes from all over memory, so that the reads do not wait for each other
-                    black_box(groups.iter().fold(0, |all, group| all ^ touch(group)));
+                    black_box(groups.iter().fold(0, |all, group| all ^ of.touch(group)));
                     for (group, targets) in groups.iter().zip(targets) {
-                        add(*targets, terms(*group).ok()?);
+                        add(*targets, of.terms(*group).ok()?);
                     }
                 }
             }
         }
         for &[key, number] in &self.singles[singles_start as usize..singles_end as usize] {
             let target = self.rank.as_ref().map_or(key, |rank| rank[key as usize]);
-            sums[target as usize - first_key] += term(key, &table.rows()[number as usize]).ok()?;
+            sums[target as usize - first_key] +=
+                of.term(key, &table.rows()[number as usize]).ok()?;
         }
         Some(())
     }
@@ -302,6 +319,15 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
             Some(targets) => targets[group],
         }
     }
+}
+
+/// The terms of a group, where this is rarely needed.
+#[inline(never)]
+fn terms_apart<const A: usize, const M: usize, const N: usize, G: Grouped<A, M, N>>(
+    of: &G,
+    elements: [u32; A],
+) -> Option<[G::Term; M]> {
+    of.terms(elements).ok()
 }
 
 fn first_rank<const A: usize, const M: usize>(

@@ -401,7 +401,7 @@ impl<'a> Body<'a> {
                     false => quote!(for (#name, #row) in s.plans.#table.enumerate()),
                 }
             }
-            Rows::Members(_) => {
+            Rows::Members(_) | Rows::Corners(_) => {
                 let parent = match space.parent {
                     None => quote!(0),
                     Some(parent) => self.row_number(parent),
@@ -415,7 +415,10 @@ impl<'a> Body<'a> {
                     false => self.with_slots(
                         variable,
                         quote!(#row),
-                        quote!(s.plans.#table.rows_of(#parent)),
+                        match self.plan.corners.iter().any(|c| c.of == variable) {
+                            true => quote!(s.plans.#table.few_rows_of(#parent)),
+                            false => quote!(s.plans.#table.rows_of(#parent)),
+                        },
                         &parent,
                     ),
                 }
@@ -427,7 +430,7 @@ impl<'a> Body<'a> {
     /// The number of the current row of a space.
     pub(super) fn row_number(&self, variable: VariableId) -> TokenStream {
         match self.plan.space(variable).map(|s| s.rows) {
-            Some(Rows::Members(_)) => {
+            Some(rows) if rows.is_several() => {
                 let number = number_name(variable);
                 quote!(#number)
             }

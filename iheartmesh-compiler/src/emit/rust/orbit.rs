@@ -11,7 +11,7 @@ use super::item::field_name;
 use super::place::{RegionId, Roots};
 use super::plan::PlanCode;
 use crate::ir::{FunctionId, Kind};
-use crate::optimize::{Orbit, Plan, Rows, Staged, Whole};
+use crate::optimize::{Orbit, Plan, Staged, Whole};
 use crate::types::Type;
 
 impl Context<'_> {
@@ -82,15 +82,8 @@ impl Context<'_> {
             ),
             Some(orbit) => {
                 let orbits = self.orbit_name(id);
-                let functions = self.orbit_functions(id, staged, orbit, &parameters);
-                let (touch, terms, single, rest) = (
-                    format_ident!("touch{}", id.0),
-                    format_ident!("terms{}", id.0),
-                    format_ident!("term{}", id.0),
-                    format_ident!("rest{}", id.0),
-                );
-                let table = table_name(orbit.space);
-                let zero = self.zero_of(self.program().arena.variable_type(orbit.sum_variable));
+                let functions = self.orbit_functions(id, staged, orbit, &fields);
+                let (grouped, table) = (grouped_name(id), table_name(orbit.space));
                 quote! {
                     #functions
                     fn #name(s: &State<'_>) -> rt::Whole<#result> {
@@ -99,14 +92,7 @@ impl Context<'_> {
                             return rt::for_each_element(#n, |v| #each(s, v));
                         };
                         #prepare
-                        match orbits.values(
-                            &s.plans.#table,
-                            #zero,
-                            |elements| #touch(s, elements #arguments),
-                            |elements| #terms(s, elements #arguments),
-                            |key, row| #single(s, key, row #arguments),
-                            |key, sum| #rest(s, key, sum #arguments),
-                        ) {
+                        match orbits.values(&s.plans.#table, &#grouped { s #arguments }) {
                             ::std::option::Option::Some(values) => ::std::result::Result::Ok(values),
                             // for the first element that has no value
                             ::std::option::Option::None => rt::for_each_element(#n, |v| #each(s, v)),
@@ -119,7 +105,7 @@ impl Context<'_> {
             true => TokenStream::new(),
             false => quote!(if !(#pays) { return rt::for_each_element(#n, |v| #each(s, v)); }),
         };
-        let entry = format_ident!("all{}", id.0);
+        let entry = all_name(id);
         Some((
             entry.clone(),
             quote! {
@@ -142,20 +128,27 @@ impl Context<'_> {
         FieldCode {
             name: field_name(id),
             ty: self.inner_type(&function.ty),
-            value: quote!(rt::for_each_element(#n, |v| #each(s, v))),
+            value: match self
+                .staged
+                .functions
+                .get(&id)
+                .and_then(|f| f.whole.as_ref())
+            {
+                Some(_) => {
+                    let all = all_name(id);
+                    quote!(#all(s))
+                }
+                None => quote!(rt::for_each_element(#n, |v| #each(s, v))),
+            },
         }
     }
 
     /// Whether the rows that use fields are more than the elements of these.
     fn fields_pay(&self, plan: &Plan, whole: &Whole) -> TokenStream {
-        let rows = plan
-            .spaces
-            .iter()
-            .filter(|s| matches!(s.rows, Rows::Members(_)))
-            .map(|s| {
-                let table = table_name(s.variable);
-                quote!(s.plans.#table.len())
-            });
+        let rows = plan.spaces.iter().filter(|s| s.rows.is_several()).map(|s| {
+            let table = table_name(s.variable);
+            quote!(s.plans.#table.len())
+        });
         let elements =
             whole
                 .fields
@@ -245,7 +238,7 @@ impl Context<'_> {
         id: FunctionId,
         staged: &Staged,
         orbit: &Orbit,
-        parameters: &TokenStream,
+        fields: &[FieldCode],
     ) -> TokenStream {
         let function = self.program().function(id);
         let arena = &self.program().arena;
@@ -256,11 +249,10 @@ impl Context<'_> {
         let n_members = Literal::usize_unsuffixed(orbit.terms.len());
         let n_columns =
             Literal::usize_unsuffixed(plan.space(orbit.space).map_or(0, |s| s.columns.len()));
-        let (terms, single, rest) = (
-            format_ident!("terms{}", id.0),
-            format_ident!("term{}", id.0),
-            format_ident!("rest{}", id.0),
-        );
+        // what the terms read besides the elements
+        let names: Vec<&Ident> = fields.iter().map(|f| &f.name).collect();
+        let types: Vec<&TokenStream> = fields.iter().map(|f| &f.ty).collect();
+        let unpack = quote!(let Self { s #(, #names)* } = *self;);
 
         let mut roots = Roots::default();
         let region = roots.region(None, None);
@@ -278,50 +270,66 @@ impl Context<'_> {
         let statements = body.statements(RegionId(region), &orbit.terms);
         let results: Vec<TokenStream> = orbit.terms.iter().map(|t| body.owned(*t)).collect();
         let touched = self.touched(orbit);
-        let touch = format_ident!("touch{}", id.0);
-        let prelude = self.prelude(&orbit.terms);
-        let touch_code = quote! {
-            #[inline(always)]
-            fn #touch(s: &State<'_>, elements: &[u32; #n_elements] #parameters) -> u64 {
-                #prelude
-                0u64 #(^ rt::touch(&#touched))*
-            }
-        };
-        let terms_code = quote! {
-            #[inline(always)]
-            fn #terms(s: &State<'_>, elements: [u32; #n_elements] #parameters) -> rt::Fallible<[#value; #n_members]> {
-                #prelude #statements
-                ::std::result::Result::Ok([#(#results),*])
-            }
-        };
+        let touch_prelude = self.prelude(&orbit.terms);
+        let terms_prelude = &touch_prelude;
 
         let Kind::Fold { body: term, .. } = arena.kind(orbit.sum) else {
             panic!("bug in iheartmesh: an orbit of no sum");
         };
         let key = variable_ident(self, function.parameters[0].variable);
         let row = super::block::row_name(orbit.space);
-        let prelude = self.prelude(&[*term]);
+        let term_prelude = self.prelude(&[*term]);
         let term_code = Body::single(self, Mode::Dynamic, plan, *term);
-        let single_code = quote! {
-            fn #single(s: &State<'_>, #key: u32, #row: &[u32; #n_columns] #parameters) -> rt::Fallible<#value> {
-                #prelude #term_code
-            }
-        };
 
         let sum = variable_ident(self, orbit.sum_variable);
-        let prelude = self.prelude(&[orbit.rest]);
+        let zero = self.zero_of(arena.variable_type(orbit.sum_variable));
+        let rest_prelude = self.prelude(&[orbit.rest]);
         let key_row = self.key_row(plan);
         let rest_code = Body::single(self, Mode::Dynamic, plan, orbit.rest);
+        let grouped = grouped_name(id);
         quote! {
-            #touch_code
-            #terms_code
-            #single_code
-            #[inline(always)]
-            fn #rest(s: &State<'_>, #key: u32, #sum: #value #parameters) -> rt::Fallible<#result> {
-                #prelude #key_row #rest_code
+            pub struct #grouped<'s, 'a> {
+                s: &'s State<'a>,
+                #(#names: &'s [#types],)*
+            }
+            impl rt::Grouped<#n_elements, #n_members, #n_columns> for #grouped<'_, '_> {
+                type Term = #value;
+                type Value = #result;
+                fn zero(&self) -> #value {
+                    let s = self.s;
+                    let sizes = &s.sizes;
+                    #zero
+                }
+                #[inline(always)]
+                fn touch(&self, elements: &[u32; #n_elements]) -> u64 {
+                    #unpack #touch_prelude
+                    0u64 #(^ rt::touch(&#touched))*
+                }
+                #[inline(always)]
+                fn terms(&self, elements: [u32; #n_elements]) -> rt::Fallible<[#value; #n_members]> {
+                    #unpack #terms_prelude #statements
+                    ::std::result::Result::Ok([#(#results),*])
+                }
+                fn term(&self, #key: u32, #row: &[u32; #n_columns]) -> rt::Fallible<#value> {
+                    #unpack #term_prelude #term_code
+                }
+                #[inline(always)]
+                fn rest(&self, #key: u32, #sum: #value) -> rt::Fallible<#result> {
+                    #unpack #rest_prelude #key_row #rest_code
+                }
             }
         }
     }
+}
+
+/// The function that evaluates a function for all elements.
+fn all_name(id: FunctionId) -> Ident {
+    format_ident!("all{}", id.0)
+}
+
+/// The type that gives the terms of an orbit.
+fn grouped_name(id: FunctionId) -> Ident {
+    format_ident!("Grouped{}", id.0)
 }
 
 struct FieldCode {

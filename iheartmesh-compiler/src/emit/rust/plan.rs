@@ -7,7 +7,7 @@ use super::Context;
 use super::block::{Body, Mode, row_name, table_name, variable_ident};
 use super::place::{RegionId, Roots};
 use crate::ir::{ExprId, VariableId};
-use crate::optimize::{Plan, Rows, Space};
+use crate::optimize::{Corners, Plan, Rows, Space};
 
 /// What a staged program stores once per mesh.
 #[derive(Default)]
@@ -35,6 +35,9 @@ impl Context<'_> {
         {
             for root in plan.below(None) {
                 self.tree(plan, root, &mut code);
+            }
+            for corners in &plan.corners {
+                self.turned(plan, corners, &mut code);
             }
         }
         for (id, staged) in &staged.functions {
@@ -76,7 +79,7 @@ impl Context<'_> {
                 let name = variable_ident(self, root.variable);
                 (self.count(element), quote!(for #name in range))
             }
-            Rows::Members(_) => (quote!(1usize), quote!(for _ in range)),
+            Rows::Members(_) | Rows::Corners(_) => (quote!(1usize), quote!(for _ in range)),
         };
         let rows = stored.iter().map(|s| {
             let ty = self.table_type(s);
@@ -96,10 +99,33 @@ impl Context<'_> {
         });
     }
 
+    /// The table of rows that are turned; the others stay where they are.
+    fn turned(&self, plan: &Plan, corners: &Corners, code: &mut PlanCode) {
+        let (Some(space), Some(of)) = (plan.space(corners.space), plan.space(corners.of)) else {
+            return;
+        };
+        let (turned, rows) = (table_name(space.variable), table_name(of.variable));
+        let ty = self.table_type(space);
+        let circle = corners.circle.map(|k| Literal::u32_unsuffixed(k));
+        let kept = corners.kept.iter().map(|k| Literal::u32_unsuffixed(*k));
+        let merged = corners.merged.iter().map(|(column, place)| {
+            let (column, place) = (
+                Literal::u32_unsuffixed(*column),
+                Literal::u32_unsuffixed(*place),
+            );
+            quote!((#column, #place))
+        });
+        code.fields.extend(quote!(pub #turned: #ty,));
+        code.names.extend(quote!(#turned,));
+        code.statements.extend(quote! {
+            let (#turned, #rows) = rt::corners(&#rows, [#(#circle),*], &[#(#merged),*], &[#(#kept),*])?;
+        });
+    }
+
     fn table_type(&self, space: &Space) -> TokenStream {
         let n = Literal::usize_unsuffixed(space.columns.len());
         match space.rows {
-            Rows::Members(_) => quote!(rt::Table<#n>),
+            Rows::Members(_) | Rows::Corners(_) => quote!(rt::Table<#n>),
             _ => quote!(rt::Dense<#n>),
         }
     }
@@ -121,7 +147,7 @@ impl Context<'_> {
         for column in &space.columns {
             roots.need(inside, column.value);
         }
-        for below in plan.below(Some(space.variable)) {
+        for below in filled_below(plan, space) {
             self.regions(plan, below, inside, roots, regions);
         }
     }
@@ -149,8 +175,7 @@ impl Context<'_> {
                 true => quote!(#table.push([#(#columns),*]);),
                 false => TokenStream::new(),
             };
-            let below: TokenStream = plan
-                .below(Some(space.variable))
+            let below: TokenStream = filled_below(plan, space)
                 .map(|below| self.fill(plan, below, regions, body))
                 .collect();
             quote!(#statements #push #below)
@@ -210,12 +235,18 @@ impl Context<'_> {
 
 /// Whether a space has a table: members always have one, since their number is stored.
 pub(super) fn is_stored(space: &Space) -> bool {
-    matches!(space.rows, Rows::Members(_)) || !space.columns.is_empty()
+    space.rows.is_several() || !space.columns.is_empty()
+}
+
+/// The spaces below one that are filled with it; the others are made of these.
+fn filled_below<'a>(plan: &'a Plan, space: &Space) -> impl Iterator<Item = &'a Space> {
+    plan.below(Some(space.variable))
+        .filter(|s| !matches!(s.rows, Rows::Corners(_)))
 }
 
 fn subtree<'a>(plan: &'a Plan, root: &'a Space, found: &mut Vec<&'a Space>) {
     found.push(root);
-    for below in plan.below(Some(root.variable)) {
+    for below in filled_below(plan, root) {
         subtree(plan, below, found);
     }
 }
