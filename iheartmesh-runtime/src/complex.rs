@@ -229,7 +229,12 @@ impl CellComplex {
     /// which is faster.
     #[inline]
     pub fn boundary_elements(&self, k: usize, j: usize) -> &[u32] {
-        boundary::column_rows(&self.incidence(k).boundary, j)
+        let matrix = &self.incidence(k).boundary;
+        match k {
+            // each column of ∂¹ has two entries: no column pointers are needed
+            1 => &matrix.indices().as_chunks::<2>().0[j],
+            _ => boundary::column_rows(matrix, j),
+        }
     }
 
     /// Row `i` of ∂ᵏ, a column of its transpose: the elements of dimension `k` of which element `i` of dimension
@@ -269,6 +274,10 @@ impl CellComplex {
             "row {row} of ∂{k} is out of range: there are {} rows",
             self.n(k - 1)
         );
+        if k == 1 {
+            let [tail, head] = self.edge_vertices(column);
+            return i8::from(head as usize == row) - i8::from(tail as usize == row);
+        }
         let (rows, signs) = self.boundary_column(k, column);
         let position = if rows.len() <= 16 {
             rows.iter().position(|&other| other as usize == row)

@@ -89,6 +89,30 @@ pub fn difference(a: &[u32], b: &[u32]) -> Ids {
     ids
 }
 
+/// Members of a set other than one.
+#[inline]
+pub fn without(a: &[u32], b: u32) -> Ids {
+    let mut ids = Ids::new();
+    for &x in a {
+        if x != b {
+            ids.push(x);
+        }
+    }
+    ids
+}
+
+/// A set by its sorted members.
+#[inline]
+pub fn copied(a: &[u32]) -> Ids {
+    let mut ids = Ids::new();
+    // most sets are small, and copying them one by one is faster than a general copy
+    match a.len() {
+        0..=8 => a.iter().for_each(|id| ids.push(*id)),
+        _ => ids.extend_from_slice(a),
+    }
+    ids
+}
+
 /// The elements in the boundary of any of a set: the rows of the columns of ∂ᵏ.
 #[inline]
 pub fn boundary_of(complex: &CellComplex, k: usize, set: &[u32]) -> Ids {
@@ -103,15 +127,17 @@ pub fn coboundary_of(complex: &CellComplex, k: usize, set: &[u32]) -> Ids {
 
 #[inline]
 fn gather<'a>(set: &[u32], column: impl Fn(usize) -> &'a [u32]) -> Ids {
+    // a single column is sorted already
+    if let [id] = set {
+        return copied(column(*id as usize));
+    }
     let mut ids = Ids::new();
     for &id in set {
-        ids.extend_from_slice(column(id as usize));
+        for other in column(id as usize) {
+            ids.push(*other);
+        }
     }
-    match set.len() {
-        // a single column is sorted already
-        0 | 1 => ids,
-        _ => sorted(ids),
-    }
+    sorted(ids)
 }
 
 /// A set as the host sees it.

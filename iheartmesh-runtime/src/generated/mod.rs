@@ -35,8 +35,8 @@ pub use fault::{
 };
 pub use host::HostCounted;
 pub use ids::{
-    Ids, all, boundary_of, cellular_set, coboundary_of, difference, ids_of_cellular_set,
-    ids_of_set, intersection, set_of_handles, singleton, sorted, union,
+    Ids, all, boundary_of, cellular_set, coboundary_of, copied, difference, ids_of_cellular_set,
+    ids_of_set, intersection, set_of_handles, singleton, sorted, union, without,
 };
 pub use linear::*;
 pub use local::Locals;

@@ -28,9 +28,50 @@ impl Body<'_> {
                 }
             }
             _ => {
+                if let Some((boundary, item)) = self.single_column(e) {
+                    return self.matrix_column(boundary, item);
+                }
                 let value = self.value(e);
                 quote!(&#value[..])
             }
+        }
+    }
+
+    /// The boundary matrix and the element, where a set is what the matrix connects to this element.
+    fn single_column(&self, e: ExprId) -> Option<(Boundary, ExprId)> {
+        let single = |set| match self.kind(set) {
+            Kind::Set(items) if items.len() == 1 && !self.names.contains_key(&set) => {
+                Some(items[0])
+            }
+            _ => None,
+        };
+        match self.kind(e) {
+            Kind::Traverse(boundary, set) => Some((*boundary, single(*set)?)),
+            // of a function that is nothing else
+            Kind::Call(id, arguments) => {
+                let function = self.context.program().function(*id);
+                let Kind::Traverse(boundary, set) = self.kind(function.body) else {
+                    return None;
+                };
+                let ([parameter], [argument]) =
+                    (function.parameters.as_slice(), arguments.as_slice())
+                else {
+                    return None;
+                };
+                let is_parameter = *self.kind(single(*set)?) == Kind::Variable(parameter.variable);
+                is_parameter.then_some((*boundary, *argument))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a boundary matrix connects to an element, as it stands in the matrix.
+    fn matrix_column(&mut self, boundary: Boundary, item: ExprId) -> TokenStream {
+        let (mesh, k, _, transposed) = self.boundary(boundary);
+        let item = self.owned(item);
+        match transposed {
+            false => quote!(#mesh.boundary_elements(#k, #item as usize)),
+            true => quote!(#mesh.coboundary_elements(#k, #item as usize)),
         }
     }
 
@@ -52,6 +93,18 @@ impl Body<'_> {
                         quote!(<#ty as ::std::convert::From<::std::vec::Vec<_>>>::from(::std::vec![#(#items),*]))
                     }
                 }
+            }
+            Kind::SetOp(SetOp::Difference, a, b)
+                if elements
+                    && !self.names.contains_key(b)
+                    && matches!(self.kind(*b), Kind::Set(items) if items.len() == 1) =>
+            {
+                let item = match self.kind(*b) {
+                    Kind::Set(items) => self.owned(items[0]),
+                    _ => TokenStream::new(),
+                };
+                let a = self.ids(*a);
+                quote!(rt::without(#a, #item))
             }
             Kind::SetOp(op, a, b) if elements => {
                 let (a, b) = (self.ids(*a), self.ids(*b));
@@ -103,7 +156,7 @@ impl Body<'_> {
                 let (chain, value) = (self.reference(*chain), self.owned(*value));
                 quote!((#chain).where_equal(#value))
             }
-            Kind::Traverse(boundary, set) => self.traverse(*boundary, *set),
+            Kind::Traverse(boundary, set) => self.traverse(e, *boundary, *set),
             Kind::Entry(boundary, row, column) => {
                 let (row, column) = match boundary.transposed {
                     true => (*column, *row),
@@ -177,29 +230,16 @@ impl Body<'_> {
     }
 
     /// The elements that a boundary matrix connects to those of a set. Of a single element they stand in the matrix.
-    fn traverse(&mut self, boundary: Boundary, set: ExprId) -> TokenStream {
+    fn traverse(&mut self, e: ExprId, boundary: Boundary, set: ExprId) -> TokenStream {
+        if let Some((boundary, item)) = self.single_column(e) {
+            let column = self.matrix_column(boundary, item);
+            return quote!(rt::copied(#column));
+        }
         let (mesh, k, _, transposed) = self.boundary(boundary);
-        let single = match (self.kind(set), self.names.contains_key(&set)) {
-            (Kind::Set(items), false) if items.len() == 1 => Some(items[0]),
-            _ => None,
-        };
-        match (single, transposed) {
-            (Some(item), false) => {
-                let item = self.owned(item);
-                quote!(rt::Ids::from_slice(#mesh.boundary_elements(#k, #item as usize)))
-            }
-            (Some(item), true) => {
-                let item = self.owned(item);
-                quote!(rt::Ids::from_slice(#mesh.coboundary_elements(#k, #item as usize)))
-            }
-            (None, false) => {
-                let set = self.ids(set);
-                quote!(rt::boundary_of(#mesh, #k, #set))
-            }
-            (None, true) => {
-                let set = self.ids(set);
-                quote!(rt::coboundary_of(#mesh, #k, #set))
-            }
+        let set = self.ids(set);
+        match transposed {
+            false => quote!(rt::boundary_of(#mesh, #k, #set)),
+            true => quote!(rt::coboundary_of(#mesh, #k, #set)),
         }
     }
 }

@@ -1,0 +1,45 @@
+//! The order in which the rows of a plan are made.
+
+use std::ops::Range;
+
+use super::{Rows, Table};
+use crate::complex::CellComplex;
+use crate::order::VertexOrder;
+
+/// The keys of a plan: the elements below a number, in their order or in one that is easier on memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Keys<'a>(Option<&'a VertexOrder>);
+
+impl<'a> Keys<'a> {
+    /// The vertices of a mesh, neighbours near each other.
+    pub fn vertices(complex: &'a CellComplex) -> Self {
+        Self(complex.vertex_order())
+    }
+
+    /// Elements in the order of their numbers.
+    pub fn in_order() -> Self {
+        Self(None)
+    }
+
+    /// The keys at some places.
+    #[inline]
+    pub fn at(self, places: Range<u32>) -> impl Iterator<Item = u32> {
+        places.map(move |place| match self.0 {
+            None => place,
+            Some(order) => order.vertices[place as usize],
+        })
+    }
+
+    /// The place of each key, where it is not its number.
+    pub(super) fn rank(self) -> Option<&'a [u32]> {
+        self.0.map(|order| &order.rank[..])
+    }
+
+    /// A table whose rows were made in this order, in the order of the numbers of the keys.
+    pub fn sorted<T: Rows>(self, table: T) -> T {
+        match self.0 {
+            None => table,
+            Some(order) => table.taken(&order.rank),
+        }
+    }
+}
