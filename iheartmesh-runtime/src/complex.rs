@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use crate::boundary::{self, BoundaryMatrix};
 use crate::mesh::MeshError;
+use crate::order::VertexOrder;
 
 /// Elements of dimensions 0 to `dimension()` and the signed boundary matrices ∂ᵏ between them.
 ///
@@ -27,6 +28,7 @@ pub struct CellComplex {
     /// Whether every edge runs from its smaller to its larger vertex.
     has_tails_first: bool,
     incidences: Vec<Incidence>,
+    order: OnceLock<Option<VertexOrder>>,
 }
 
 /// ∂ᵏ for one k, in its four forms.
@@ -62,6 +64,7 @@ impl CellComplex {
             n_elements,
             has_tails_first,
             incidences: matrices.into_iter().map(incidence).collect(),
+            order: OnceLock::new(),
         }
     }
 
@@ -262,6 +265,11 @@ impl CellComplex {
         } else {
             [second, first]
         }
+    }
+
+    /// An order of the vertices that is better for memory than their numbering, if there is one. Found on the first call.
+    pub(crate) fn vertex_order(&self) -> Option<&VertexOrder> {
+        self.order.get_or_init(|| VertexOrder::of(self)).as_ref()
     }
 
     /// Entry of ∂ᵏ: −1, +1, or 0 where `row` is no side of `column`.

@@ -30,6 +30,7 @@ pub mod generated;
 #[cfg(feature = "io")]
 pub mod io;
 mod mesh;
+mod order;
 mod set;
 mod values;
 

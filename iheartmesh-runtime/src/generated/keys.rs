@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Rows, Table};
+use super::Rows;
 use crate::complex::CellComplex;
 use crate::order::VertexOrder;
 

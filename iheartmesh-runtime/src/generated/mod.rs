@@ -9,6 +9,7 @@ mod dense;
 mod fault;
 mod host;
 mod ids;
+mod keys;
 mod linear;
 mod local;
 mod optimum;
@@ -38,6 +39,7 @@ pub use ids::{
     Ids, all, boundary_of, cellular_set, coboundary_of, copied, difference, ids_of_cellular_set,
     ids_of_set, intersection, set_of_handles, singleton, sorted, union, without,
 };
+pub use keys::Keys;
 pub use linear::*;
 pub use local::Locals;
 pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};

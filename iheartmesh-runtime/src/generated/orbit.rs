@@ -8,7 +8,7 @@ use std::ops::{AddAssign, Range};
 use rayon::prelude::*;
 
 use super::all::is_parallel;
-use super::{Fallible, NO_ELEMENT, Table, for_each_element};
+use super::{Fallible, Keys, NO_ELEMENT, Table, for_each_element};
 
 /// A sum whose terms are computed in groups.
 ///
@@ -87,11 +87,12 @@ const LEAST_PART: f64 = 0.5;
 
 impl<const A: usize, const M: usize> Orbits<A, M> {
     /// Finds the groups of a table whose rows hold the elements after the key in these columns. `None` when few rows
-    /// belong to groups.
+    /// belong to groups. `order` is that of the keys of the table.
     pub fn build<const N: usize>(
         table: &Table<N>,
         columns: &[usize],
         permutation: [usize; A],
+        order: Keys<'_>,
     ) -> Option<Self> {
         let elements = |key: u32, row: &[u32; N]| -> [u32; A] {
             std::array::from_fn(|k| if k == 0 { key } else { row[columns[k - 1]] })
@@ -100,12 +101,12 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         let mut groups = Vec::with_capacity(table.len() / M + 1);
         let mut singles = Vec::new();
         let mut taken = vec![false; table.len()];
-        for key in 0..n_keys {
-            for (number, row) in table.enumerate_rows_of(key) {
+        for key in order.at(0..n_keys as u32) {
+            for (number, row) in table.enumerate_rows_of(key as usize) {
                 if taken[number] {
                     continue;
                 }
-                let first = elements(key as u32, row);
+                let first = elements(key, row);
                 let mut members = [number; M];
                 let mut current = first;
                 let mut complete = !first.contains(&NO_ELEMENT);
@@ -134,7 +135,7 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                     groups.push(first);
                     members.iter().for_each(|member| taken[*member] = true);
                 } else {
-                    singles.push([key as u32, number as u32]);
+                    singles.push([key, number as u32]);
                     taken[number] = true;
                 }
             }
@@ -148,16 +149,17 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
             current = std::array::from_fn(|k| current[permutation[k]]);
             *key = current[0];
         }
-        let (groups, singles, order) = match order::is_coherent(n_keys, &groups, &keys) {
-            true => (groups, singles, None),
-            false => {
+        let (groups, singles, rank) = match order.rank() {
+            Some(rank) => (groups, singles, Some(rank.to_vec())),
+            None if order::is_coherent(n_keys, &groups, &keys) => (groups, singles, None),
+            None => {
                 let rank = order::breadth_first(n_keys, &groups, &keys);
                 let groups = order::sorted_by_rank(n_keys, groups, |g| first_rank(&rank, g, &keys));
                 let singles = order::sorted_by_rank(n_keys, singles, |s| rank[s[0] as usize]);
                 (groups, singles, Some(rank))
             }
         };
-        Some(Self::with_blocks(n_keys, groups, singles, keys, order))
+        Some(Self::with_blocks(n_keys, groups, singles, keys, rank))
     }
 
     fn with_blocks(

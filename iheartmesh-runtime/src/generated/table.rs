@@ -14,6 +14,9 @@ pub trait Rows: Sized {
     /// # Errors
     /// When there are more rows than `u32` can count.
     fn concatenated(parts: &[&Self]) -> Result<Self, PlanError>;
+
+    /// For each key the rows that another key has here.
+    fn taken(self, from: &[u32]) -> Self;
 }
 
 /// One row for each element.
@@ -58,6 +61,13 @@ impl<const N: usize> Rows for Dense<N> {
     fn concatenated(parts: &[&Self]) -> Result<Self, PlanError> {
         let rows = concatenate(&parts.iter().map(|p| p.rows.as_slice()).collect::<Vec<_>>());
         Ok(Self { rows })
+    }
+
+    fn taken(self, from: &[u32]) -> Self {
+        let rows = from.iter().map(|key| self.rows[*key as usize]);
+        Self {
+            rows: rows.collect(),
+        }
     }
 }
 
@@ -165,6 +175,19 @@ impl<const N: usize> Rows for Table<N> {
             before += part.rows.len() as u32;
         }
         Ok(Self { starts, rows })
+    }
+
+    fn taken(self, from: &[u32]) -> Self {
+        let mut starts = Vec::with_capacity(self.starts.len());
+        starts.push(0);
+        let mut rows = Vec::with_capacity(self.rows.len());
+        for key in from {
+            for row in self.rows_of(*key as usize) {
+                rows.push(*row);
+            }
+            starts.push(rows.len() as u32);
+        }
+        Self { starts, rows }
     }
 }
 

@@ -30,11 +30,16 @@ impl Context<'_> {
             .permutation
             .iter()
             .map(|p| Literal::usize_unsuffixed(*p));
+        let parameter = &self.program().function(id).parameters[0];
+        let keys = match parameter.ty {
+            Type::Element(element) => self.keys(element),
+            _ => quote!(rt::Keys::in_order()),
+        };
         code.fields
             .extend(quote!(pub #name: ::std::option::Option<rt::Orbits<#elements, #members>>,));
         code.names.extend(quote!(#name,));
         code.statements.extend(quote! {
-            let #name = rt::Orbits::<#elements, #members>::build(&#table, &[#(#columns),*], [#(#permutation),*]);
+            let #name = rt::Orbits::<#elements, #members>::build(&#table, &[#(#columns),*], [#(#permutation),*], #keys);
         });
     }
 

@@ -8,6 +8,7 @@ use super::block::{Body, Mode, row_name, table_name, variable_ident};
 use super::place::{RegionId, Roots};
 use crate::ir::{ExprId, VariableId};
 use crate::optimize::{Corners, Plan, Rows, Space};
+use crate::types::Element;
 
 /// What a staged program stores once per mesh.
 #[derive(Default)]
@@ -74,12 +75,25 @@ impl Context<'_> {
         let mut body = Body::new(self, Mode::Build, plan, &roots);
         let before = body.statements(RegionId(outside), &[]);
         let fill = self.fill(plan, root, &regions, &mut body);
-        let (n, head) = match root.rows {
+        // the rows of a deeper space are numbered by those of the one above it
+        let is_flat = spaces
+            .iter()
+            .all(|s| s.variable == root.variable || s.parent == Some(root.variable));
+        let (n, keys, head) = match root.rows {
             Rows::Key(element) | Rows::Universe(element) => {
                 let name = variable_ident(self, root.variable);
-                (self.count(element), quote!(for #name in range))
+                let keys = match is_flat {
+                    true => self.keys(element),
+                    false => quote!(rt::Keys::in_order()),
+                };
+                let head = quote!(for #name in keys.at(range));
+                (self.count(element), keys, head)
             }
-            Rows::Members(_) | Rows::Corners(_) => (quote!(1usize), quote!(for _ in range)),
+            Rows::Members(_) | Rows::Corners(_) => (
+                quote!(1usize),
+                quote!(rt::Keys::in_order()),
+                quote!(for _ in range),
+            ),
         };
         let rows = stored.iter().map(|s| {
             let ty = self.table_type(s);
@@ -88,13 +102,14 @@ impl Context<'_> {
         let merged = (0..stored.len()).map(Literal::usize_unsuffixed);
         code.functions.extend(quote! {
             fn #build(t: &Topology<'_>) -> ::std::result::Result<(#(#types,)*), rt::PlanError> {
+                let keys = #keys;
                 let chunks = rt::in_chunks(#n, |range: ::std::ops::Range<u32>| {
                     #(let mut #tables = #rows;)*
                     #before
                     #head { #fill }
                     ::std::result::Result::Ok((#(#tables,)*))
                 })?;
-                ::std::result::Result::Ok((#(rt::concatenated(&chunks, |chunk| &chunk.#merged)?,)*))
+                ::std::result::Result::Ok((#(keys.sorted(rt::concatenated(&chunks, |chunk| &chunk.#merged)?),)*))
             }
         });
     }
@@ -120,6 +135,15 @@ impl Context<'_> {
         code.statements.extend(quote! {
             let (#turned, #rows) = rt::corners(&#rows, [#(#circle),*], &[#(#merged),*], &[#(#kept),*])?;
         });
+    }
+
+    /// The order in which the rows of all elements of a kind are made.
+    pub(super) fn keys(&self, element: Element) -> TokenStream {
+        let mesh = self.mesh_field(element.mesh);
+        match crate::types::element_dimension(element.kind) {
+            0 => quote!(rt::Keys::vertices(t.#mesh.complex())),
+            _ => quote!(rt::Keys::in_order()),
+        }
     }
 
     fn table_type(&self, space: &Space) -> TokenStream {
