@@ -179,7 +179,7 @@ fn split(program: &mut Program, plan: &mut Plan, sum: ExprId, share: bool) -> Op
     Some(arena.add(Kind::Binary(Binary::Add, part, sum), ty))
 }
 
-/// The columns that a term uses; `None` when it has rows of its own.
+/// The columns that a term uses; `None` when there are loops in it.
 fn columns(arena: &Arena, term: ExprId, space: VariableId) -> Option<Vec<u32>> {
     let mut columns = BTreeSet::new();
     let mut is_plain = true;
@@ -187,7 +187,12 @@ fn columns(arena: &Arena, term: ExprId, space: VariableId) -> Option<Vec<u32>> {
         Kind::Column(of, k) if *of == space => {
             columns.insert(*k);
         }
-        Kind::Fold { .. } | Kind::Tabulate { .. } => is_plain = false,
+        // what binds a variable cannot stand in both parts
+        Kind::Fold { .. }
+        | Kind::Tabulate { .. }
+        | Kind::Scatter { .. }
+        | Kind::Optimum { .. }
+        | Kind::Integral { .. } => is_plain = false,
         _ => {}
     });
     is_plain.then(|| columns.into_iter().collect())
