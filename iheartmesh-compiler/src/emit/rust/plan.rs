@@ -121,7 +121,7 @@ impl Context<'_> {
         };
         let (turned, rows) = (table_name(space.variable), table_name(of.variable));
         let ty = self.table_type(space);
-        let circle = corners.circle.map(|k| Literal::u32_unsuffixed(k));
+        let circle = corners.circle.map(Literal::u32_unsuffixed);
         let kept = corners.kept.iter().map(|k| Literal::u32_unsuffixed(*k));
         let merged = corners.merged.iter().map(|(column, place)| {
             let (column, place) = (
