@@ -43,6 +43,24 @@ pub enum Error {
         /// The parameter that the size was read from.
         source: String,
     },
+    /// A size that is a quotient is not an integer.
+    Fraction {
+        /// The parameter.
+        parameter: String,
+        /// How the size is written in the program.
+        written: String,
+        /// What is divided.
+        above: i64,
+        /// What it is divided by.
+        below: i64,
+    },
+    /// An argument of a function does not fit the others, or the parameters of the struct.
+    Argument {
+        /// The function.
+        function: String,
+        /// What is wrong.
+        error: Box<Error>,
+    },
     /// An element is not in the set that it is declared to be in.
     NotMember {
         /// The function; empty for a parameter of the struct.
@@ -125,6 +143,16 @@ impl fmt::Display for Error {
                     false => write!(f, ", and `{source}` says so"),
                 }
             }
+            Error::Fraction {
+                parameter,
+                written,
+                above,
+                below,
+            } => write!(
+                f,
+                "a size of `{parameter}` is `{written}`, but {above}/{below} is not an integer"
+            ),
+            Error::Argument { function, error } => write!(f, "argument of `{function}`: {error}"),
             Error::NotMember {
                 function,
                 parameter,

@@ -199,7 +199,8 @@ impl<'a> Checker<'a> {
                 Type::Set(_) => return self.wrong(call, 0, "a set of numbers"),
                 Type::Sequence { item, .. } if item.is_scalar() => {
                     let op = if least { Unary::Least } else { Unary::Greatest };
-                    return self.add_at(call.span, Kind::Unary(op, *value), Type::REAL);
+                    let item = (**item).clone();
+                    return self.add_at(call.span, Kind::Unary(op, *value), item);
                 }
                 ty => match ty.shape() {
                     Some(Shape::Vector(_) | Shape::Matrix(..)) => {

@@ -5,15 +5,12 @@ use super::function::Signature;
 use super::scope::Found;
 use super::sizes::{Fit, Sizes, fit, fit_alone, fits, with_sizes};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, FunctionId, Kind, Unary};
+use crate::ir::{ExprId, FunctionId, Kind};
 use crate::resolve::symbols::{count, given};
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, Name};
 use crate::types::Type;
-
-/// What functions of arguments of any size cannot do yet.
-const ANY_SIZE: &str = "sequences of vectors or matrices of one size, where any size is taken, are";
 
 impl<'a> Checker<'a> {
     pub(super) fn call(
@@ -220,38 +217,38 @@ impl<'a> Checker<'a> {
             .values
             .iter()
             .zip(&parameters)
-            .map(|(v, ty)| {
-                let value = self.convert(*v, &with_sizes(ty, sizes));
+            .zip(call.arguments)
+            .map(|((v, ty), argument)| {
+                let wanted = with_sizes(ty, sizes);
+                let value = self.convert(*v, &wanted);
+                let value = self.of_sizes(argument.span, value, &wanted);
                 self.represented(value, ty)
             })
             .collect();
+        let values = self.of_one_length(call, &parameters, values);
         for (value, k) in values.iter().zip(0..) {
             if let Some(indexed) = self.sequence_parameter(id, k) {
                 self.note_parameter_indexed(*value, &indexed);
             }
         }
         let own = self.result(id);
-        let ty = with_sizes(&own, sizes);
-        if ty.is_error() {
+        if own.is_error() {
             return self.error();
         }
-        for (k, (value, parameter)) in values.iter().zip(&parameters).enumerate() {
-            if parameter.is_fixed() != self.ty(*value).is_fixed() {
-                return self.unsupported(call.arguments[k].span, ANY_SIZE);
-            }
-        }
+        let own = self.result_of(id, &values, &own);
+        let ty = with_sizes(&own, sizes);
         let is_same = has_sizes_like(&own, &ty);
         let stands = if is_same { &ty } else { &own };
         let value = self.add_at(call.span, Kind::Call(id, values), stands.clone());
         match is_same {
             true => value,
-            false => self.with_known_sizes(call.span, value, &own, &ty),
+            false => self.with_known_sizes(value, &own, &ty),
         }
     }
 
     /// The result of a function of arguments of any size, where the sizes of the arguments are known: in the type
     /// with these sizes.
-    fn with_known_sizes(&mut self, span: Span, value: ExprId, own: &Type, ty: &Type) -> ExprId {
+    fn with_known_sizes(&mut self, value: ExprId, own: &Type, ty: &Type) -> ExprId {
         match (own, ty) {
             (Type::Tuple(own), Type::Tuple(items)) => {
                 let mut list = Vec::new();
@@ -260,17 +257,79 @@ impl<'a> Checker<'a> {
                         true => self.project(value, k, ty.clone()),
                         false => {
                             let item = self.project(value, k, own.clone());
-                            self.with_known_sizes(span, item, own, ty)
+                            self.with_known_sizes(item, own, ty)
                         }
                     });
                 }
                 self.add(Kind::Tuple(list), ty.clone())
             }
-            _ if ty.shape().is_some() && !ty.is_sparse() => {
-                self.add(Kind::Unary(Unary::Reshape, value), ty.clone())
-            }
-            _ => self.unsupported(span, ANY_SIZE),
+            _ => self.represented(value, ty),
         }
+    }
+
+    /// The type of a result: sizes that are known only at run time are those of this call.
+    fn result_of(&mut self, id: FunctionId, values: &[ExprId], ty: &Type) -> Type {
+        let key = (id, values.to_vec(), ty.clone());
+        if let Some(ty) = self.results_of_calls.get(&key) {
+            return ty.clone();
+        }
+        let ty = self.with_new_sizes(ty, &|_, _| true, true);
+        self.results_of_calls.insert(key, ty.clone());
+        ty
+    }
+
+    /// An argument whose sizes must be those of the parameter: compared at run time where they are not known before.
+    fn of_sizes(&mut self, span: Span, value: ExprId, wanted: &Type) -> ExprId {
+        let sizes = match wanted {
+            Type::Vector {
+                length,
+                space: None,
+                ..
+            } => vec![length],
+            Type::Matrix {
+                rows,
+                columns,
+                spaces: None,
+                ..
+            } => vec![rows, columns],
+            _ => return value,
+        };
+        let mut value = value;
+        for (axis, wanted) in sizes.into_iter().enumerate() {
+            if let Some(size) = self.size(wanted) {
+                value = self.sized(span, value, axis as u8, (wanted, size));
+            }
+        }
+        value
+    }
+
+    /// Arguments for sequences that are declared with one letter must have one length: compared at run time.
+    fn of_one_length(
+        &mut self,
+        call: &Call<'_, 'a>,
+        parameters: &[Type],
+        mut values: Vec<ExprId>,
+    ) -> Vec<ExprId> {
+        let length = |ty: &Type| match ty {
+            Type::Sequence { length, .. } => Some(length.clone()),
+            _ => None,
+        };
+        for k in 1..values.len() {
+            let Some(letter @ Some(_)) = parameters.get(k).map(length) else {
+                continue;
+            };
+            let Some(first) = (0..k).find(|first| length(&parameters[*first]) == letter) else {
+                continue;
+            };
+            let (a, b) = (values[first], values[k]);
+            if length(self.ty(a)) != length(self.ty(b)) {
+                let (n, m) = (self.extent(a, 0), self.extent(b, 0));
+                let ty = self.ty(b).clone();
+                let span = call.arguments[k].span;
+                values[k] = self.add_at(span, Kind::Agree(n, m, b), ty);
+            }
+        }
+        values
     }
 
     /// For a parameter that is a sequence indexed by elements, these.
@@ -326,7 +385,7 @@ impl<'a> Checker<'a> {
             .find(|&k| fit_alone(&parameters[k], &types[k]).is_none())
             .unwrap_or(0);
         let (takes, given) = self.described_both(&parameters[k], &types[k]);
-        let help = if is_permutation(parameters, types) {
+        let help = if types.len() > 1 && is_permutation(parameters, types) {
             format!("the arguments have another order: `{}`", first.shown)
         } else if owner_mismatch(first, types) == Some(k) {
             "elements of one mesh have no meaning in another".to_owned()

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Input, InputId, Kind, MeshInput};
 use crate::resolve::ModuleId;
 use crate::syntax::ast::{
-    self, BinaryOp, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind, UnaryOp,
+    self, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind,
 };
 use crate::types::{Atom, Dimension, MeshId, Type};
 
@@ -132,33 +132,32 @@ impl Checker<'_> {
 
     /// The type that a declaration gives to one of its targets.
     pub(super) fn declared(&mut self, declaration: &Declaration, target: usize) -> Declared {
-        if let TypeKind::Named(set) = &declaration.ty.kind {
-            let mut declared = self.declared_by_set(declaration, set);
+        let letter = declaration.targets[target].subscript.as_ref();
+        let mut declared = if let TypeKind::Named(set) = &declaration.ty.kind {
+            let declared = self.declared_by_set(declaration, set);
             self.with_attribute(declaration, declared.ty.clone());
-            if let Some(letter) = &declaration.targets[target].subscript
-                && !declared.ty.is_error()
-            {
-                declared.ty = sequence_of(declared.ty, &letter.text);
-            }
-            return declared;
-        }
-        if declaration.relation == Relation::Subset {
+            declared
+        } else if declaration.relation == Relation::Subset {
             self.no_subset(declaration);
             return Declared::plain(Type::Error);
-        }
-        let ty = self.written_type(&declaration.ty);
-        let ty = self.with_attribute(declaration, ty);
-        let Some(letter) = &declaration.targets[target].subscript else {
-            return Declared::plain(ty);
+        } else {
+            self.letter = letter.map(|letter| letter.text.clone());
+            let ty = self.written_type(&declaration.ty);
+            self.letter = None;
+            Declared::plain(self.with_attribute(declaration, ty))
         };
-        let item = match ty {
+        let Some(letter) = letter else {
+            return declared;
+        };
+        let item = match declared.ty {
             Type::Sequence { .. } => {
                 self.unsupported(declaration.ty.span, "sequences of sequences are");
                 Type::Error
             }
             item => item,
         };
-        Declared::plain(sequence_of(item, &letter.text))
+        declared.ty = sequence_of(item, &letter.text);
+        declared
     }
 
     fn no_subset(&mut self, declaration: &Declaration) {
@@ -247,7 +246,7 @@ impl Checker<'_> {
                 length,
                 sparse,
             } => {
-                let length = self.dimension(length);
+                let length = self.written_dimension(length);
                 Type::Vector {
                     number: *number,
                     length,
@@ -261,7 +260,10 @@ impl Checker<'_> {
                 columns,
                 sparse,
             } => {
-                let (rows, columns) = (self.dimension(rows), self.dimension(columns));
+                let (rows, columns) = (
+                    self.written_dimension(rows),
+                    self.written_dimension(columns),
+                );
                 Type::Matrix {
                     number: *number,
                     rows,
@@ -380,58 +382,6 @@ impl Checker<'_> {
                 .help("write `S ⊂ V` with the `V` of `V, E, F = ElementSets(M)`"),
         );
         None
-    }
-
-    /// The number of all elements of a kind.
-    fn number_of(&mut self, set: &Expr) -> Option<Dimension> {
-        let ExprKind::Name(name) = &set.kind else {
-            return None;
-        };
-        match self.find(name) {
-            Found::Value(value) => match self.program.arena.kind(value) {
-                Kind::AllElements(element) => Some(Dimension::atom(Atom::Count(*element))),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// A size as it is written.
-    pub(super) fn dimension(&mut self, e: &Expr) -> Dimension {
-        let arithmetic = |a: Dimension, op: BinaryOp, b: Dimension| match op {
-            BinaryOp::Add => a.add(&b),
-            BinaryOp::Subtract => b.negate().and_then(|b| a.add(&b)),
-            BinaryOp::Juxtapose | BinaryOp::Dot => a.multiply(&b),
-            _ => None,
-        };
-        let dimension = match &e.kind {
-            ExprKind::Integer(value) => Some(Dimension::known(*value)),
-            ExprKind::Name(name) => Some(Dimension::atom(Atom::Symbol(name.text.clone()))),
-            ExprKind::Binary {
-                op, left, right, ..
-            } => {
-                let (left, right) = (self.dimension(left), self.dimension(right));
-                arithmetic(left, *op, right)
-            }
-            ExprKind::Unary {
-                op: UnaryOp::Size,
-                operand,
-            } => self.number_of(operand),
-            ExprKind::Norm {
-                double: false,
-                operand,
-                subscript: None,
-            } => self.number_of(operand),
-            ExprKind::Unary {
-                op: UnaryOp::Negate,
-                operand,
-            } => self.dimension(operand).negate(),
-            _ => None,
-        };
-        dimension.unwrap_or_else(|| {
-            self.unsupported(e.span, "this way to write a size is");
-            Dimension::known(0)
-        })
     }
 }
 

@@ -168,10 +168,12 @@ impl<'a> Checker<'a> {
                 match &ty {
                     Type::Tuple(items) => self.project(value, k, items[k].clone()),
                     Type::Set(item) => {
-                        self.add_at(span, Kind::SetItem(whole, index), (**item).clone())
+                        let item = self.item_type(item, index);
+                        self.add_at(span, Kind::SetItem(whole, index), item)
                     }
                     Type::Sequence { item, .. } => {
-                        self.add_at(span, Kind::Item(value, index), (**item).clone())
+                        let item = self.item_type(item, index);
+                        self.add_at(span, Kind::Item(value, index), item)
                     }
                     Type::Vector { number, .. } => {
                         self.add(Kind::Component(value, index), Type::Scalar(*number))

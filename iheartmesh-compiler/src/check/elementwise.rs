@@ -1,11 +1,12 @@
 //! Indices whose range follows from where they stand, and definitions entry by entry.
 
-use super::scope::{Binding, Scope};
+use super::index::subscripted;
+use super::scope::{Binding, Found, Scope};
 use super::{Checker, IndexUse};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Layout, VariableId};
 use crate::syntax::ast::{self, Expr, Name, Subscript};
-use crate::types::{Dimension, Shape, Type};
+use crate::types::{Atom, Dimension, Element, Shape, Type};
 
 impl<'a> Checker<'a> {
     /// Binds an index whose range is not yet known.
@@ -106,6 +107,41 @@ impl<'a> Checker<'a> {
         Some((first.dimension, size))
     }
 
+    /// The elements of a mesh that an index runs over, where it stands alone as the subscript of something that these
+    /// index.
+    pub(super) fn element_index(&mut self, index: &Name, of: &[&'a Expr]) -> Option<Element> {
+        let mut bases: Vec<(&'a Name, usize)> = Vec::new();
+        for e in of {
+            subscripted(e, &index.text, &mut bases);
+        }
+        bases.into_iter().find_map(|(name, position)| {
+            let Found::Value(value) = self.find(name) else {
+                return None;
+            };
+            match (self.ty(value), position) {
+                (Type::Sequence { index, .. }, 0) => *index,
+                (
+                    Type::Matrix {
+                        spaces: Some((rows, columns)),
+                        ..
+                    },
+                    _,
+                ) => Some(if position == 0 { *rows } else { *columns }),
+                _ => None,
+            }
+        })
+    }
+
+    /// The one size of vectors that are put together: known only at run time where it differs between them.
+    fn common_size(&mut self, size: Dimension, variable: VariableId) -> Dimension {
+        let ty = Type::real_vector(size.clone());
+        let ty = self.with_new_sizes(&ty, &|arena, e| arena.depends_on(e, variable), false);
+        match ty {
+            Type::Vector { length, .. } => length,
+            _ => size,
+        }
+    }
+
     /// Whether a variable is bound in an enclosing scope.
     fn is_visible(&self, variable: VariableId) -> bool {
         self.scopes
@@ -167,9 +203,16 @@ impl<'a> Checker<'a> {
             return self.unsupported(definition.span, "this element-wise definition is");
         }
         let mut scope = Scope::default();
+        let element = match (names, slice, ty) {
+            ([(_, name)], None, None) => self.element_index(name, &[&definition.value]),
+            _ => None,
+        };
         let variables: Vec<VariableId> = distinct
             .iter()
-            .map(|(_, name)| self.bind_index(&mut scope, name))
+            .map(|(_, name)| match element {
+                Some(element) => self.bind(&mut scope, name, Type::Element(element)),
+                None => self.bind_index(&mut scope, name),
+            })
             .collect();
         if let Some(ty) = ty {
             for (k, (axis, name)) in names.iter().enumerate() {
@@ -183,6 +226,12 @@ impl<'a> Checker<'a> {
         for (variable, (_, name)) in variables.iter().zip(distinct) {
             if failed {
                 self.index_uses.remove(variable);
+                continue;
+            }
+            if let Some(element) = element {
+                let dimension = Dimension::atom(Atom::Count(element));
+                let size = self.add(Kind::Size(dimension.clone()), Type::INTEGER);
+                ranges.push((dimension, size));
                 continue;
             }
             match self.index_range(*variable, name) {
@@ -210,11 +259,24 @@ impl<'a> Checker<'a> {
         (diagonal, known): (bool, Option<&Type>),
     ) -> ExprId {
         let ty = self.ty(body).clone();
+        let element = match self.program.arena.variable_type(variables[0]) {
+            Type::Element(element) => Some(*element),
+            _ => None,
+        };
         let (dimensions, sizes): (Vec<Dimension>, Vec<ExprId>) = ranges.into_iter().unzip();
         let first = dimensions[0].clone();
         let sequence = matches!(known, Some(Type::Sequence { .. }));
         let sparse = known.is_some_and(Type::is_sparse);
         let (layout, result, body) = match (ty.shape(), variables.len(), slice) {
+            _ if element.is_some() && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (
+                Layout::Sequence,
+                Type::Sequence {
+                    item: Box::new(self.type_of_all(&ty, variables[0], false)),
+                    length: first,
+                    index: element,
+                },
+                body,
+            ),
             (Some(Shape::Scalar), 1, None) if diagonal => (
                 Layout::Diagonal,
                 Type::sparse_matrix(first.clone(), first),
@@ -234,13 +296,17 @@ impl<'a> Checker<'a> {
                 self.real(body),
             ),
             (Some(Shape::Vector(n)), 1, Some(1)) => {
+                let n = self.common_size(n, variables[0]);
                 (Layout::Rows, Type::real_matrix(first, n), self.real(body))
             }
-            (Some(Shape::Vector(n)), 1, Some(0)) => (
-                Layout::Columns,
-                Type::real_matrix(n, first),
-                self.real(body),
-            ),
+            (Some(Shape::Vector(n)), 1, Some(0)) => {
+                let n = self.common_size(n, variables[0]);
+                (
+                    Layout::Columns,
+                    Type::real_matrix(n, first),
+                    self.real(body),
+                )
+            }
             (Some(Shape::Scalar), 1, None) if self.sequence_of_reals(known) => (
                 Layout::Sequence,
                 Type::Sequence {
@@ -253,7 +319,7 @@ impl<'a> Checker<'a> {
             (_, 1, None) if !diagonal && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (
                 Layout::Sequence,
                 Type::Sequence {
-                    item: Box::new(ty),
+                    item: Box::new(self.type_of_all(&ty, variables[0], true)),
                     length: first,
                     index: None,
                 },

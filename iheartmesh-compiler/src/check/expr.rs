@@ -3,9 +3,9 @@
 use super::Checker;
 use super::scope::Found;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Binary, ExprId, Kind, Unary, unproven};
+use crate::ir::{ExprId, Fold, Kind, Layout, Range, Unary, unproven};
 use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
-use crate::types::{Atom, Dimension, Number, Type};
+use crate::types::{Dimension, Number, Type};
 
 impl<'a> Checker<'a> {
     /// Checks an expression.
@@ -88,13 +88,7 @@ impl<'a> Checker<'a> {
                 ),
             ),
             Found::Error => self.error(),
-            Found::Dimension => {
-                let dimension = Dimension::atom(Atom::Symbol(name.text.clone()));
-                match self.size(&dimension) {
-                    Some(size) => size,
-                    None => self.error(),
-                }
-            }
+            Found::Dimension => self.size_symbol(&name.text),
             Found::Functions(functions) => {
                 if let [(_, crate::resolve::Meaning::Builtin(builtin))] = functions.as_slice()
                     && builtin == "e"
@@ -129,75 +123,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A size of a value: the number of its items or rows (0), of its columns (1).
-    pub(super) fn extent(&mut self, e: ExprId, axis: u8) -> ExprId {
-        let dimension = match (self.ty(e), axis) {
-            (Type::Vector { length, .. } | Type::Sequence { length, .. }, _) => {
-                Some(length.clone())
-            }
-            (Type::Matrix { rows, .. }, 0) => Some(rows.clone()),
-            (Type::Matrix { columns, .. }, _) => Some(columns.clone()),
-            _ => None,
-        };
-        // the length of a parameter that is a sequence is its own, whatever its letter
-        let own = matches!(
-            (self.ty(e), self.program.arena.kind(e)),
-            (Type::Sequence { .. }, Kind::Variable(_))
-        );
-        match dimension.filter(|_| !own).and_then(|d| self.size(&d)) {
-            Some(size) => size,
-            None => self.add(Kind::Extent(e, axis), Type::INTEGER),
-        }
-    }
-
-    /// A size as a value; `None` when it is known only from the value that has it.
-    pub(super) fn size(&mut self, dimension: &Dimension) -> Option<ExprId> {
-        if let Some(n) = dimension.value() {
-            return Some(self.program.arena.integer(n));
-        }
-        let mut own = true;
-        for (_, atoms) in dimension.terms() {
-            for atom in atoms {
-                match atom {
-                    Atom::Dynamic(_) => return None,
-                    Atom::Symbol(name) if self.templates.contains_key(name) => own = false,
-                    _ => {}
-                }
-            }
-        }
-        if own {
-            return Some(self.add(Kind::Size(dimension.clone()), Type::INTEGER));
-        }
-        // sizes that a function's arguments bring along are computed from these
-        let terms: Vec<(i64, Vec<Atom>)> =
-            dimension.terms().map(|(k, a)| (k, a.to_vec())).collect();
-        let mut sum = None;
-        for (k, atoms) in terms {
-            let mut product = self.program.arena.integer(k);
-            for atom in atoms {
-                let factor = match &atom {
-                    Atom::Symbol(name) if self.templates.contains_key(name) => self.templates[name],
-                    _ => self.add(Kind::Size(Dimension::atom(atom.clone())), Type::INTEGER),
-                };
-                product = self.add(
-                    Kind::Binary(Binary::Multiply, product, factor),
-                    Type::INTEGER,
-                );
-            }
-            sum = Some(match sum {
-                None => product,
-                Some(sum) => self.add(Kind::Binary(Binary::Add, sum, product), Type::INTEGER),
-            });
-        }
-        sum
-    }
-
-    /// A size that is known only at run time.
-    pub(super) fn new_dimension(&mut self) -> Dimension {
-        self.n_dynamic += 1;
-        Dimension::atom(Atom::Dynamic(self.n_dynamic))
-    }
-
     /// Two values brought to one type: an integer beside a real number becomes one.
     pub(super) fn common(&mut self, a: ExprId, b: ExprId) -> (ExprId, ExprId) {
         match (self.ty(a), self.ty(b)) {
@@ -222,6 +147,32 @@ impl<'a> Checker<'a> {
         if self.is_empty_set(e) && matches!(to, Type::Set(_)) {
             return self.add(Kind::Set(Vec::new()), to.clone());
         }
+        if let (Type::Tuple(own), Type::Tuple(items)) = (self.ty(e).clone(), to)
+            && own != *items
+            && own.len() == items.len()
+        {
+            let items: Vec<ExprId> = (0..items.len())
+                .map(|k| {
+                    let item = self.project(e, k, own[k].clone());
+                    self.convert(item, &items[k])
+                })
+                .collect();
+            let types = items.iter().map(|item| self.ty(*item).clone()).collect();
+            return self.add(Kind::Tuple(items), Type::Tuple(types));
+        }
+        if let (Type::Sequence { item, .. }, Type::Sequence { item: wanted, .. }) =
+            (self.ty(e).clone(), to)
+            && item.is_integer()
+            && wanted.shape().is_some()
+            && !wanted.is_integer()
+        {
+            let ty = Type::Sequence {
+                item: Box::new(item.with_reals()),
+                length: Dimension::known(0),
+                index: None,
+            };
+            return self.each_item(e, &ty, |checker, item| checker.real(item));
+        }
         let extents = |ty: &Type| ty.shape().and_then(super::operator::extents);
         let fits = match (extents(self.ty(e)), extents(to)) {
             (Some((n, m)), Some((p, q))) => !n.differs(&p) && !m.differs(&q),
@@ -239,12 +190,86 @@ impl<'a> Checker<'a> {
     /// A vector or matrix in the representation of another one of its shape: a size that is known when the program is
     /// compiled is part of the type in Rust, and sparse matrices are types of their own.
     pub(super) fn represented(&mut self, value: ExprId, to: &Type) -> ExprId {
-        let ty = self.ty(value);
+        let ty = self.ty(value).clone();
         let is_same = ty.is_fixed() == to.is_fixed() && ty.is_sparse() == to.is_sparse();
-        match is_same || to.is_sparse() || to.shape().is_none() {
-            true => value,
-            false => self.add(Kind::Unary(Unary::Reshape, value), to.clone()),
+        if to.shape().is_some() {
+            return match is_same || to.is_sparse() {
+                true => value,
+                false => self.add(Kind::Unary(Unary::Reshape, value), to.clone()),
+            };
         }
+        match (&ty, to) {
+            (Type::Tuple(own), Type::Tuple(items)) if own != items => {
+                let items: Vec<ExprId> = (0..items.len())
+                    .map(|k| {
+                        let item = self.project(value, k, own[k].clone());
+                        self.represented(item, &items[k])
+                    })
+                    .collect();
+                let types = items.iter().map(|item| self.ty(*item).clone()).collect();
+                self.add(Kind::Tuple(items), Type::Tuple(types))
+            }
+            (Type::Sequence { item, .. }, Type::Sequence { item: wanted, .. })
+                if item.is_fixed() != wanted.is_fixed() =>
+            {
+                self.each_item(value, to, |checker, item| checker.represented(item, wanted))
+            }
+            (Type::Set(item), Type::Set(wanted)) if item.is_fixed() != wanted.is_fixed() => {
+                let variable = self.program.arena.new_variable("x", (**item).clone());
+                let item = self.program.arena.variable(variable);
+                let body = self.represented(item, wanted);
+                self.add(
+                    Kind::Fold {
+                        op: Fold::Collect,
+                        variable,
+                        range: Range::Set(value),
+                        condition: None,
+                        body,
+                    },
+                    to.clone(),
+                )
+            }
+            _ => value,
+        }
+    }
+
+    /// The sequence of what becomes of each item; its items have the type of those of `to`.
+    fn each_item(
+        &mut self,
+        sequence: ExprId,
+        to: &Type,
+        of: impl FnOnce(&mut Self, ExprId) -> ExprId,
+    ) -> ExprId {
+        let Type::Sequence {
+            item,
+            length,
+            index,
+        } = self.ty(sequence).clone()
+        else {
+            return sequence;
+        };
+        let variable = self.program.arena.new_variable("k", Type::INTEGER);
+        let k = self.program.arena.variable(variable);
+        let item = self.add(Kind::Item(sequence, k), *item);
+        let body = of(self, item);
+        let size = self.extent(sequence, 0);
+        let ty = match to {
+            Type::Sequence { item, .. } => Type::Sequence {
+                item: item.clone(),
+                length,
+                index,
+            },
+            _ => to.clone(),
+        };
+        self.add(
+            Kind::Tabulate {
+                layout: Layout::Sequence,
+                variables: vec![variable],
+                sizes: vec![size],
+                body,
+            },
+            ty,
+        )
     }
 
     /// The type of two sequences of the same items: of a length that is known only at run time where theirs differ.

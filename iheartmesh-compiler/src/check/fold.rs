@@ -1,6 +1,7 @@
 //! Sums, products and big unions.
 
 use super::Checker;
+use super::index::condition_parts;
 use super::scope::Scope;
 use super::wording::NOT_NUMBERS;
 use crate::diagnostic::Diagnostic;
@@ -46,8 +47,28 @@ impl<'a> Checker<'a> {
             }
             Head::Index(name) | Head::Filtered(name, _) => {
                 let mut scope = Scope::default();
-                let variable = self.bind_index(&mut scope, name);
-                (variable, Range::Rows, scope)
+                let parts: Vec<&'a Expr> = match head {
+                    Head::Filtered(_, condition) => {
+                        let mut parts = vec![body];
+                        condition_parts(condition, &mut |part| parts.push(part));
+                        parts
+                    }
+                    _ => vec![body],
+                };
+                let locals = locals.iter().map(|local| &local.value);
+                let parts: Vec<&'a Expr> = parts.into_iter().chain(locals).collect();
+                match self.element_index(name, &parts) {
+                    Some(element) => {
+                        let variable = self.bind(&mut scope, name, Type::Element(element));
+                        let ty = Type::set_of(Type::Element(element));
+                        let set = self.add(Kind::AllElements(element), ty);
+                        (variable, Range::Set(set), scope)
+                    }
+                    None => {
+                        let variable = self.bind_index(&mut scope, name);
+                        (variable, Range::Rows, scope)
+                    }
+                }
             }
         };
         self.bind_locals(&mut scope, locals);
@@ -60,6 +81,7 @@ impl<'a> Checker<'a> {
         });
         let ty = self.ty(value).clone();
         let range = match head {
+            Head::Index(_) | Head::Filtered(..) if range != Range::Rows => range,
             Head::Index(_) | Head::Filtered(..) if ty.is_error() => {
                 self.index_uses.remove(&variable);
                 range
@@ -103,6 +125,11 @@ impl<'a> Checker<'a> {
                 let value = self.real(value);
                 (value, self.ty(value).clone())
             }
+        };
+        // sizes of single terms are not known outside
+        let ty = match &ty {
+            Type::Set(_) => self.type_of_all(&ty, variable, false),
+            _ => self.with_new_sizes(&ty, &|arena, e| arena.depends_on(e, variable), false),
         };
         self.add_at(
             e.span,

@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Function, FunctionId, Kind, Parameter};
 use crate::resolve::ModuleId;
 use crate::syntax::ast::{self, ItemKind, Name};
-use crate::types::Type;
+use crate::types::{Atom, Dimension, Type};
 
 /// What a call needs to know of a function before its body is checked.
 #[derive(Clone, Debug)]
@@ -39,15 +39,19 @@ impl<'a> Checker<'a> {
         let declared = self.in_module(module, |checker| checker.parameters(syntax));
         let mut shown = Vec::new();
         for (name, declared) in &declared {
-            let (name, set) = (&name.text, &declared.within_name);
-            shown.push(match &declared.ty {
-                ty if set.is_empty() => format!("{name} ∈ {ty}"),
-                Type::Set(_) => format!("{name} ⊂ {set}"),
-                Type::Sequence { item, .. } => match **item {
-                    Type::Set(_) => format!("{name}_i ⊂ {set}"),
-                    _ => format!("{name}_i ∈ {set}"),
+            let (name, ty) = match &declared.ty {
+                Type::Sequence { item, length, .. } => match length.as_atom() {
+                    Some(Atom::Length(letter)) => (format!("{}_{letter}", name.text), &**item),
+                    _ => (name.text.clone(), &declared.ty),
                 },
-                _ => format!("{name} ∈ {set}"),
+                ty => (name.text.clone(), ty),
+            };
+            shown.push(if declared.within_name.is_empty() {
+                format!("{name} ∈ {ty}")
+            } else if matches!(ty, Type::Set(_)) {
+                format!("{name} ⊂ {}", declared.within_name)
+            } else {
+                format!("{name} ∈ {}", declared.within_name)
             });
         }
         let signature = Signature {
@@ -259,22 +263,79 @@ impl<'a> Checker<'a> {
         let mut found = std::collections::BTreeMap::new();
         for parameter in parameters {
             let value = self.program.arena.variable(parameter.variable);
-            let sizes: Vec<(u8, crate::types::Dimension)> = match &parameter.ty {
-                Type::Vector { length, .. } => vec![(0, length.clone())],
-                Type::Matrix { rows, columns, .. } => vec![(0, rows.clone()), (1, columns.clone())],
-                _ => Vec::new(),
-            };
-            for (axis, size) in sizes {
-                if let Some(crate::types::Atom::Symbol(name)) = size.as_atom()
-                    && !self.resolved.module(self.module).symbols.contains_key(name)
-                    && !found.contains_key(name)
-                {
-                    let extent = self.add(Kind::Extent(value, axis), Type::INTEGER);
-                    found.insert(name.clone(), extent);
-                }
-            }
+            self.template_sizes_of(value, &mut found);
         }
         found
+    }
+
+    fn template_sizes_of(
+        &mut self,
+        value: ExprId,
+        found: &mut std::collections::BTreeMap<String, ExprId>,
+    ) {
+        let sizes: Vec<(u8, Dimension)> = match self.ty(value).clone() {
+            Type::Vector { length, .. } => vec![(0, length)],
+            Type::Matrix { rows, columns, .. } => vec![(0, rows), (1, columns)],
+            Type::Tuple(items) => {
+                for (k, ty) in items.into_iter().enumerate() {
+                    let item = self.project(value, k, ty);
+                    self.template_sizes_of(item, found);
+                }
+                return;
+            }
+            Type::Sequence { item, .. } => match *item {
+                Type::Vector { length, .. } => vec![(0, length)],
+                Type::Matrix { rows, columns, .. } => vec![(0, rows), (1, columns)],
+                _ => return,
+            },
+            Type::Set(item) => match *item {
+                Type::Vector { length, .. } => vec![(0, length)],
+                Type::Matrix { rows, columns, .. } => vec![(0, rows), (1, columns)],
+                _ => return,
+            },
+            _ => return,
+        };
+        for (axis, size) in sizes {
+            let (name, ragged) = match size.as_atom() {
+                Some(Atom::Symbol(name)) => (name, false),
+                Some(Atom::Item(of, None)) => match &**of {
+                    Atom::Symbol(name) => (name, true),
+                    _ => continue,
+                },
+                _ => continue,
+            };
+            let symbols = &self.resolved.module(self.module).symbols;
+            if symbols.contains_key(name) || found.contains_key(name) {
+                continue;
+            }
+            let name = name.clone();
+            let size = match self.ty(value).clone() {
+                Type::Sequence { .. } if ragged => self.sizes_of_items(value, axis),
+                // all items have the size of the first one
+                Type::Sequence { item, .. } => {
+                    let n = self.extent(value, 0);
+                    let one = self.program.arena.integer(1);
+                    let first = self.add(Kind::Item(value, one), *item);
+                    self.size_of_first(n, first, axis)
+                }
+                Type::Set(item) => {
+                    let n = self.add(Kind::Cardinality(value), Type::INTEGER);
+                    let one = self.program.arena.integer(1);
+                    let first = self.add(Kind::SetItem(value, one), *item);
+                    self.size_of_first(n, first, axis)
+                }
+                _ => self.add(Kind::Extent(value, axis), Type::INTEGER),
+            };
+            found.insert(name, size);
+        }
+    }
+
+    /// A size of the first of `n` items; 0 where there is none.
+    fn size_of_first(&mut self, n: ExprId, first: ExprId, axis: u8) -> ExprId {
+        let zero = self.program.arena.integer(0);
+        let size = self.add(Kind::Extent(first, axis), Type::INTEGER);
+        let none = self.add(Kind::Compare(ast::CompareOp::Equal, n, zero), Type::Boolean);
+        self.add(Kind::If(none, zero, size), Type::INTEGER)
     }
 
     fn function_value(&mut self, syntax: &'a ast::Function) -> ExprId {

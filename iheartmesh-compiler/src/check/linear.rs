@@ -2,8 +2,9 @@
 
 use super::Checker;
 use super::builtin::Builtin;
-use crate::ir::{Binary, ExprId, Kind, Unary};
-use crate::types::{Shape, Type};
+use crate::ir::{Binary, ExprId, Kind, Layout, Unary};
+use crate::syntax::ast::CompareOp;
+use crate::types::{Number, Shape, Type};
 
 /// Whether a name is one of `linearalgebra`.
 pub(super) fn is_linear(builtin: &str) -> bool {
@@ -157,6 +158,51 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// `diag(v, r, c)`: the matrix of `r` rows and `c` columns with as much of this diagonal as fits, and 0 elsewhere.
+    fn rectangular_diagonal(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
+        let vector = call.values[0];
+        let Some(Shape::Vector(_)) = self.ty(vector).shape() else {
+            return self.wrong(call, 0, "a vector");
+        };
+        let (Some((rows, n)), Some((columns, m))) = (
+            self.written_size(call.arguments[1]),
+            self.written_size(call.arguments[2]),
+        ) else {
+            return self.error();
+        };
+        let arena = &mut self.program.arena;
+        let variables = vec![
+            arena.new_variable("i", Type::INTEGER),
+            arena.new_variable("j", Type::INTEGER),
+        ];
+        let (i, j) = (arena.variable(variables[0]), arena.variable(variables[1]));
+        let zero = arena.real(0.0);
+        let last = self.extent(vector, 0);
+        let on = self.add(Kind::Compare(CompareOp::Equal, i, j), Type::Boolean);
+        let within = self.add(
+            Kind::Compare(CompareOp::LessOrEqual, i, last),
+            Type::Boolean,
+        );
+        let chosen = self.add(Kind::And(on, within), Type::Boolean);
+        let number = match self.ty(vector) {
+            Type::Vector { number, .. } => *number,
+            _ => Number::Real,
+        };
+        let entry = self.add_at(call.span, Kind::Component(vector, i), Type::Scalar(number));
+        let entry = self.real(entry);
+        let body = self.add(Kind::If(chosen, entry, zero), Type::REAL);
+        self.add_at(
+            call.span,
+            Kind::Tabulate {
+                layout: Layout::Matrix,
+                variables,
+                sizes: vec![n, m],
+                body,
+            },
+            Type::real_matrix(rows, columns),
+        )
+    }
+
     /// A function of linear algebra with one argument.
     fn linear(
         &mut self,
@@ -170,7 +216,20 @@ impl<'a> Checker<'a> {
         let ty = self.ty(call.values[0]).clone();
         match result(self, &ty) {
             Some((op, ty)) => {
-                let value = self.real(call.values[0]);
+                let square = matches!(
+                    op,
+                    Unary::Trace
+                        | Unary::Determinant
+                        | Unary::Inverse
+                        | Unary::PositivePart
+                        | Unary::AbsolutePart
+                        | Unary::Diagonal
+                );
+                let value = match square {
+                    true => self.squared(call.span, call.values[0]),
+                    false => call.values[0],
+                };
+                let value = self.real(value);
                 self.add_at(call.span, Kind::Unary(op, value), ty)
             }
             None => self.wrong(call, 0, takes),

@@ -1,12 +1,11 @@
 //! Vectors and matrices by their entries and blocks.
 
 use super::Checker;
-use super::builtin::Builtin;
 use super::operator::extents;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind, Layout};
-use crate::syntax::ast::{CompareOp, Expr, ExprKind};
-use crate::types::{Dimension, Number, Shape, Type};
+use crate::ir::{ExprId, Kind};
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::types::{Dimension, Type};
 
 /// A cell of a matrix.
 enum Cell {
@@ -63,51 +62,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// `diag(v, r, c)`: the matrix of `r` rows and `c` columns with as much of this diagonal as fits, and 0 elsewhere.
-    pub(super) fn rectangular_diagonal(&mut self, call: &Builtin<'_, 'a>) -> ExprId {
-        let vector = call.values[0];
-        let Some(Shape::Vector(_)) = self.ty(vector).shape() else {
-            return self.wrong(call, 0, "a vector");
-        };
-        let (Some((rows, n)), Some((columns, m))) = (
-            self.written_size(call.arguments[1]),
-            self.written_size(call.arguments[2]),
-        ) else {
-            return self.error();
-        };
-        let arena = &mut self.program.arena;
-        let variables = vec![
-            arena.new_variable("i", Type::INTEGER),
-            arena.new_variable("j", Type::INTEGER),
-        ];
-        let (i, j) = (arena.variable(variables[0]), arena.variable(variables[1]));
-        let zero = arena.real(0.0);
-        let last = self.extent(vector, 0);
-        let on = self.add(Kind::Compare(CompareOp::Equal, i, j), Type::Boolean);
-        let within = self.add(
-            Kind::Compare(CompareOp::LessOrEqual, i, last),
-            Type::Boolean,
-        );
-        let chosen = self.add(Kind::And(on, within), Type::Boolean);
-        let number = match self.ty(vector) {
-            Type::Vector { number, .. } => *number,
-            _ => Number::Real,
-        };
-        let entry = self.add_at(call.span, Kind::Component(vector, i), Type::Scalar(number));
-        let entry = self.real(entry);
-        let body = self.add(Kind::If(chosen, entry, zero), Type::REAL);
-        self.add_at(
-            call.span,
-            Kind::Tabulate {
-                layout: Layout::Matrix,
-                variables,
-                sizes: vec![n, m],
-                body,
-            },
-            Type::real_matrix(rows, columns),
-        )
-    }
-
     /// `0_n,m`, `1_n`.
     pub(super) fn number_matrix(
         &mut self,
@@ -143,7 +97,13 @@ impl<'a> Checker<'a> {
     }
 
     /// A size written in an expression: a number or a symbol.
-    fn written_size(&mut self, e: &'a Expr) -> Option<(Dimension, ExprId)> {
+    pub(super) fn written_size(&mut self, e: &'a Expr) -> Option<(Dimension, ExprId)> {
+        if matches!(e.kind, ExprKind::Binary { .. })
+            && let Some(dimension) = self.symbolic(e)
+            && let Some(value) = self.size(&dimension)
+        {
+            return Some((dimension, value));
+        }
         let value = self.expr(e);
         let ty = self.ty(value).clone();
         if ty.is_error() {
@@ -404,20 +364,28 @@ impl<'a> Checker<'a> {
             false => Type::real_matrix(rows, columns),
         };
         let mut blocks = Vec::new();
-        for (r, list) in cells.into_iter().enumerate() {
+        for (r, list) in cells.iter().enumerate() {
             let mut row = Vec::new();
-            for (k, cell) in list.into_iter().enumerate() {
+            for (k, cell) in list.iter().enumerate() {
                 let (height, width) = (heights[r].clone(), widths[r][k].clone());
                 let one = Dimension::known(1);
                 row.push(match cell {
-                    Cell::Block(value, _, _) => value,
+                    Cell::Block(value, own, _) if *own == height => *value,
+                    Cell::Block(value, ..) => match self.block_size(&cells, &height) {
+                        Some(size) => self.sized(rows[r][k].span, *value, 0, (&height, size)),
+                        None => *value,
+                    },
                     Cell::Filling(value) if height == one && width == one => {
-                        self.program.arena.real(value)
+                        self.program.arena.real(*value)
                     }
                     Cell::Filling(value) => {
-                        let zero = value == 0.0;
-                        let value = self.program.arena.real(value);
-                        match (self.size(&height), self.size(&width)) {
+                        let zero = *value == 0.0;
+                        let value = self.program.arena.real(*value);
+                        let sizes = (
+                            self.block_size(&cells, &height),
+                            self.block_size(&cells, &width),
+                        );
+                        match sizes {
                             (Some(n), Some(m)) => self.add(
                                 Kind::Filled(value, vec![n, m]),
                                 filling(height, width, zero),
@@ -439,7 +407,7 @@ impl<'a> Checker<'a> {
                                     .help("an identity matrix is square"),
                             );
                         }
-                        match self.size(&height) {
+                        match self.block_size(&cells, &height) {
                             Some(n) => self.add(Kind::Identity(n), filling(height, width, true)),
                             None => {
                                 return self.unsupported(
@@ -453,6 +421,7 @@ impl<'a> Checker<'a> {
             }
             blocks.push(row);
         }
+        self.agreeing_rows(rows, widths, &mut blocks);
         let mut rows = Dimension::known(0);
         for height in heights {
             rows = rows.add(height).unwrap_or_else(|| self.new_dimension());
@@ -465,6 +434,21 @@ impl<'a> Checker<'a> {
         let matrix = self.add(Kind::Blocks(blocks), ty);
         self.program.arena.note_origin(matrix, e.span);
         matrix
+    }
+}
+
+impl Checker<'_> {
+    /// A size of a row or column of blocks as a value: known, or that of a block which has it.
+    fn block_size(&mut self, cells: &[Vec<Cell>], wanted: &Dimension) -> Option<ExprId> {
+        if let Some(size) = self.size(wanted) {
+            return Some(size);
+        }
+        let found = cells.iter().flatten().find_map(|cell| match cell {
+            Cell::Block(value, rows, _) if rows == wanted => Some((*value, 0)),
+            Cell::Block(value, _, columns) if columns == wanted => Some((*value, 1)),
+            _ => None,
+        });
+        found.map(|(value, axis)| self.extent(value, axis))
     }
 }
 

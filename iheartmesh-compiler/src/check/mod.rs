@@ -11,11 +11,14 @@ mod call;
 mod condition;
 mod declare;
 mod define;
+mod dimension;
 mod elementwise;
 mod entries;
 mod expr;
+mod extent;
 mod fold;
 mod function;
+mod index;
 mod integral;
 mod linear;
 mod matrix;
@@ -62,6 +65,10 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         results: BTreeMap::new(),
         recursive: Vec::new(),
         templates: BTreeMap::new(),
+        ragged: BTreeMap::new(),
+        item_sizes: BTreeMap::new(),
+        results_of_calls: BTreeMap::new(),
+        letter: None,
         index_uses: BTreeMap::new(),
         index_items: BTreeMap::new(),
         given: BTreeSet::new(),
@@ -70,6 +77,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         circular: false,
         misfits: BTreeSet::new(),
     };
+    checker.find_ragged();
     checker.declare_inputs();
     checker.check_sizes();
     checker.check_arguments();
@@ -111,6 +119,14 @@ struct Checker<'a> {
     misfits: BTreeSet<(ModuleId, String)>,
     /// Sizes that the arguments of the function being checked bring along.
     templates: BTreeMap<String, ExprId>,
+    /// Sizes that differ from item to item of a parameter of the module: the parameter and which of its sizes.
+    ragged: BTreeMap<String, ((usize, usize, usize), u8)>,
+    /// Sequences of the sizes of items: of which sequence, and which size.
+    item_sizes: BTreeMap<ExprId, (ExprId, u8)>,
+    /// Types of the results of calls with sizes that are known only at run time.
+    results_of_calls: BTreeMap<(FunctionId, Vec<ExprId>, Type), Type>,
+    /// The subscript of the declaration at hand.
+    letter: Option<String>,
     /// For indices whose range follows from their use: where they index, with the size there.
     index_uses: BTreeMap<VariableId, Vec<IndexUse>>,
     /// Indices that are items of a pair, with the variables under which their uses are noted.

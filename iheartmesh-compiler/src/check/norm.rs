@@ -49,6 +49,7 @@ impl<'a> Checker<'a> {
                 if rows.differs(columns) {
                     return self.not_square(e.span, "take the determinant of", operand, &ty);
                 }
+                let value = self.squared(e.span, value);
                 self.real_unary(Unary::Determinant, value, Shape::Scalar)
             }
             (Type::Vector { .. }, false) => {
@@ -110,6 +111,9 @@ impl<'a> Checker<'a> {
             (Some(Shape::Matrix(n, m)), Some(Shape::Vector(k)))
                 if !n.differs(&k) && !m.differs(&k) =>
             {
+                let size = self.extent(value, 0);
+                let p = self.sized(e.span, p, 0, (&k, size));
+                let p = self.sized(e.span, p, 1, (&k, size));
                 let (value, p) = (self.real(value), self.real(p));
                 self.add(Kind::Binary(Binary::NormWeighted, value, p), Type::REAL)
             }
@@ -191,6 +195,9 @@ impl<'a> Checker<'a> {
             let tw = self.ty(w).clone();
             return match tw.shape() {
                 Some(Shape::Matrix(p, q)) if !p.differs(&n) && !q.differs(&n) => {
+                    let size = self.extent(a, 0);
+                    let w = self.sized(e.span, w, 0, (&n, size));
+                    let w = self.sized(e.span, w, 1, (&n, size));
                     let w = self.real(w);
                     let weighted =
                         self.add(Kind::Binary(Binary::Product, w, a), Type::real_vector(n));

@@ -56,6 +56,7 @@ impl<'a> Checker<'a> {
                 if n.differs(&m) {
                     return self.not_square(e.span, "invert", operand, &ty);
                 }
+                let value = self.squared(e.span, value);
                 let inverse = self.real_unary(Unary::Inverse, value, Shape::Matrix(n, m));
                 self.program.arena.note_origin(inverse, e.span);
                 inverse
@@ -227,6 +228,7 @@ impl<'a> Checker<'a> {
                     if n.differs(&m) {
                         return self.not_square(e.span, "take a power of", left, &ta);
                     }
+                    let a = self.squared(e.span, a);
                     let (a, b) = (self.real(a), self.real(b));
                     self.add_at(e.span, Kind::Binary(Binary::MatrixPower, a, b), Type::real_matrix(n, m))
                 }

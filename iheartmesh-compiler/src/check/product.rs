@@ -246,6 +246,7 @@ impl<'a> Checker<'a> {
                         "the right side must have as many rows as the matrix",
                     );
                 }
+                let a = self.squared(sides.e.span, a);
                 let (a, b) = (self.real(a), self.real(b));
                 let ty = match right {
                     Shape::Matrix(n, m) if ta.is_sparse() && tb.is_sparse() => {

@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, Kind, Range, SetOp, VariableId};
 use crate::resolve::symbols::count;
 use crate::syntax::ast::{Condition, Expr, ExprKind, Name};
-use crate::types::Type;
+use crate::types::{Atom, Type};
 
 impl<'a> Checker<'a> {
     pub(super) fn set_literal(&mut self, e: &'a Expr, items: &'a [Expr]) -> ExprId {
@@ -70,7 +70,8 @@ impl<'a> Checker<'a> {
         if self.is_error(body) {
             return self.error();
         }
-        let ty = Type::set_of(self.ty(body).clone());
+        let ty = self.ty(body).clone();
+        let ty = Type::set_of(self.type_of_all(&ty, variable, false));
         self.add(
             Kind::Fold {
                 op: Fold::Collect,
@@ -112,10 +113,12 @@ impl<'a> Checker<'a> {
         };
         let mut scope = Scope::default();
         if let [name] = names {
-            let variable = self.bind(&mut scope, name, (**member).clone());
+            let member = self.member_type(member);
+            let variable = self.bind(&mut scope, name, member);
             return Some((variable, set, scope));
         }
-        let items = match &**member {
+        let member = self.member_type(member);
+        let items = match &member {
             Type::Tuple(items) if items.len() == names.len() => items,
             other => {
                 let last = names.last().unwrap_or(&names[0]);
@@ -136,7 +139,7 @@ impl<'a> Checker<'a> {
                 return None;
             }
         };
-        let whole = self.program.arena.new_variable("pair", (**member).clone());
+        let whole = self.program.arena.new_variable("pair", member.clone());
         let value = self.program.arena.variable(whole);
         for (k, (name, ty)) in names.iter().zip(items).enumerate() {
             let item = self.project(value, k, ty.clone());
@@ -146,6 +149,20 @@ impl<'a> Checker<'a> {
             scope.spans.insert(name.text.clone(), name.span);
         }
         Some((whole, set, scope))
+    }
+
+    /// The type of a member at hand: a size that differs from member to member is its own.
+    fn member_type(&mut self, member: &Type) -> Type {
+        let count = std::cell::Cell::new(self.n_dynamic);
+        let ty = member.with_atoms(&|atom| match atom {
+            Atom::Item(_, None) => {
+                count.set(count.get() + 1);
+                Some(Atom::Dynamic(count.get()))
+            }
+            _ => None,
+        });
+        self.n_dynamic = count.get();
+        ty
     }
 
     /// A union, an intersection, a difference.

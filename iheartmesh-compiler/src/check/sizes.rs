@@ -94,6 +94,16 @@ pub(super) fn fit(
             }
             fit(a, b, is_template, sizes)
         }
+        (Type::Tuple(a), Type::Tuple(b)) if a.len() == b.len() => {
+            let mut worst = Fit::Exact;
+            for (a, b) in a.iter().zip(b) {
+                worst = worst.max(fit(a, b, is_template, sizes)?);
+            }
+            Some(worst)
+        }
+        (Type::Set(a), Type::Set(b)) if a.shape().is_some() && a.is_integer() == b.is_integer() => {
+            fit(a, b, is_template, sizes)
+        }
         (Type::Set(_), Type::Set(item)) if **item == Type::Error => Some(Fit::Promoted),
         (Type::CellularSet(a), Type::CellularSet(b)) if a.is_none() || b.is_none() => {
             Some(Fit::Exact)
@@ -109,7 +119,17 @@ pub(super) fn fit_size(
     is_template: &dyn Fn(&str) -> bool,
     sizes: &mut Sizes,
 ) -> Option<Fit> {
-    if let Some(crate::types::Atom::Symbol(name)) = parameter.as_atom()
+    let symbol = match parameter.as_atom() {
+        Some(Atom::Symbol(name)) if argument.is_ragged() && is_template(name) => return None,
+        Some(Atom::Symbol(name)) => Some(name),
+        // any sizes will do where each item may have its own
+        Some(Atom::Item(of, None)) => match &**of {
+            Atom::Symbol(name) => Some(name),
+            _ => None,
+        },
+        _ => None,
+    };
+    if let Some(name) = symbol
         && is_template(name)
     {
         return match sizes.get(name) {
@@ -121,39 +141,28 @@ pub(super) fn fit_size(
             }
         };
     }
+    if parameter.is_ragged() {
+        let parameter = substituted(parameter, sizes);
+        return (parameter == *argument).then_some(Fit::Exact);
+    }
     let parameter = substituted(parameter, sizes);
     (!parameter.differs(argument)).then_some(Fit::Exact)
 }
 
 pub(super) fn substituted(dimension: &Dimension, sizes: &Sizes) -> Dimension {
     dimension.substitute(&|atom| match atom {
-        crate::types::Atom::Symbol(name) | crate::types::Atom::Length(name) => {
-            sizes.get(name).cloned()
-        }
+        Atom::Symbol(name) | Atom::Length(name) => sizes.get(name).cloned(),
+        Atom::Item(of, None) => match &**of {
+            Atom::Symbol(name) => sizes.get(name).cloned(),
+            _ => None,
+        },
         _ => None,
     })
 }
 
 /// A type with the sizes that the arguments of a call bring along.
 pub(super) fn with_sizes(ty: &Type, sizes: &Sizes) -> Type {
-    let mut ty = ty.clone();
-    match &mut ty {
-        Type::Vector { length, .. } => *length = substituted(length, sizes),
-        Type::Matrix { rows, columns, .. } => {
-            *rows = substituted(rows, sizes);
-            *columns = substituted(columns, sizes);
-        }
-        Type::Sequence { item, length, .. } => {
-            **item = with_sizes(item, sizes);
-            *length = substituted(length, sizes);
-        }
-        Type::Set(item) => **item = with_sizes(item, sizes),
-        Type::Tuple(items) => items
-            .iter_mut()
-            .for_each(|item| *item = with_sizes(item, sizes)),
-        _ => {}
-    }
-    ty
+    ty.with_sizes(&|size| substituted(size, sizes))
 }
 
 impl Checker<'_> {
@@ -165,8 +174,8 @@ impl Checker<'_> {
                 given.insert(input.name.clone());
             }
             for size in own_sizes(&input.ty) {
-                if let Some(Atom::Symbol(name)) = size.as_atom() {
-                    given.insert(name.clone());
+                if let Some(name) = size.as_atom().and_then(symbol) {
+                    given.insert(name.to_owned());
                 }
             }
         }
@@ -209,20 +218,33 @@ impl Checker<'_> {
         let mut sizes = Vec::new();
         all_sizes(ty, &mut sizes);
         for size in sizes {
-            for atom in size.terms().flat_map(|(_, atoms)| atoms) {
-                if let Atom::Symbol(name) = atom
-                    && given.insert(name.clone())
+            for atom in size.atoms() {
+                if let Some(name) = symbol(atom)
+                    && given.insert(name.to_owned())
                 {
+                    let example = match atom {
+                        Atom::Item(..) => format!("`x_i ∈ ℝ^({name}_i)` or `{name}_i ∈ ℤ`"),
+                        _ => format!("`v ∈ ℝ^{name}` or `{name} ∈ ℤ`"),
+                    };
                     self.report(
                         Diagnostic::error(span, format!("the size `{name}` is not known"))
                             .here(format!("this is {}", ty.described()))
                             .help(format!(
-                                "a parameter gives it where it stands alone, as in `v ∈ ℝ^{name}` or `{name} ∈ ℤ`"
+                                "a parameter gives it where it stands alone, as in {example}"
                             )),
                     );
                 }
             }
         }
+    }
+}
+
+/// The symbol that stands for a size, or for the sizes of items.
+pub(super) fn symbol(atom: &Atom) -> Option<&str> {
+    match atom {
+        Atom::Symbol(name) => Some(name),
+        Atom::Item(of, _) => symbol(of),
+        _ => None,
     }
 }
 

@@ -101,7 +101,12 @@ impl<'a> Checker<'a> {
                 }
                 self.note_indexed_by(value, indices[0].1);
                 self.note_index_use(indices[0], value, 0);
-                let item = *item;
+                let item = self.item_type(&item, indices[0].1);
+                if self.item_sizes.contains_key(&value) {
+                    let size = self.item_size(value, indices[0].1);
+                    self.program.arena.note_origin(size, e.span);
+                    return size;
+                }
                 let found = self.add_at(e.span, Kind::Item(value, indices[0].1), item.clone());
                 match (indices.get(1), &item) {
                     (Some(second), Type::Vector { number, .. }) => {
@@ -120,7 +125,8 @@ impl<'a> Checker<'a> {
                 if !self.is_integer(indices[0], "a set") {
                     return self.error();
                 }
-                self.add_at(e.span, Kind::SetItem(value, indices[0].1), *item)
+                let item = self.item_type(&item, indices[0].1);
+                self.add_at(e.span, Kind::SetItem(value, indices[0].1), item)
             }
             Type::Tuple(items) => self.tuple_item(value, indices[0], &items),
             Type::CellularSet(mesh) => {
@@ -153,7 +159,8 @@ impl<'a> Checker<'a> {
         }
         self.note_indexed_by(sequence, number);
         self.note_index_use((index, number), sequence, 0);
-        Some(self.add_at(span, Kind::Item(sequence, number), *item))
+        let item = self.item_type(&item, number);
+        Some(self.add_at(span, Kind::Item(sequence, number), item))
     }
 
     fn tuple_item(&mut self, value: ExprId, index: (&'a Expr, ExprId), items: &[Type]) -> ExprId {

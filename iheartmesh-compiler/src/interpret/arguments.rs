@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         for id in &program.input_order {
             if let Some(value) = self.values.get(id) {
                 for (dimension, size) in axes(value, &program.input(*id).ty) {
-                    if let Some(atom) = dimension.as_atom() {
+                    if let Some(atom) = dimension.as_atom().filter(|_| !dimension.is_ragged()) {
                         found.push((atom.clone(), size));
                     }
                 }
@@ -104,6 +104,7 @@ impl<'a> Interpreter<'a> {
                     ));
                 }
             }
+            self.check_items(&input.name, value, &input.ty)?;
             let index = match &input.ty {
                 Type::Sequence { index, .. } => *index,
                 _ => None,
@@ -119,6 +120,58 @@ impl<'a> Interpreter<'a> {
             self.check_elements(&input.name, value, &input.ty, input.within)?;
         }
         Ok(())
+    }
+
+    /// Checks the sizes of items that may differ.
+    fn check_items(&self, name: &str, value: &Value, ty: &Type) -> Result<(), String> {
+        let (Value::Sequence(items), Type::Sequence { item, .. }) = (value, ty) else {
+            return Ok(());
+        };
+        for (k, value) in items.iter().enumerate() {
+            let mut scope = Scope::default();
+            for (_, (symbol, size)) in self.item_sizes(k) {
+                scope.sizes.entry(symbol).or_insert(size);
+            }
+            for (dimension, found) in axes(value, item) {
+                if let Some(expected) = self.size(&scope, &dimension)
+                    && dimension.is_ragged()
+                    && expected != found
+                {
+                    return Err(format!(
+                        "a size of item {} of `{name}` is {found} but should be {expected}: it is `{dimension}`",
+                        k + 1
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The sizes that the items number `k` give: sequences of numbers first.
+    fn item_sizes(&self, k: usize) -> Vec<(bool, (Atom, i64))> {
+        let mut found = Vec::new();
+        for id in &self.program.input_order {
+            let input = self.program.input(*id);
+            let (Some(Value::Sequence(items)), Type::Sequence { item, .. }) =
+                (self.values.get(id), &input.ty)
+            else {
+                continue;
+            };
+            let Some(value) = items.get(k) else {
+                continue;
+            };
+            if let Value::Integer(size) = value {
+                let symbol = Box::new(Atom::Symbol(input.name.clone()));
+                found.push((false, (Atom::Item(symbol, None), *size)));
+            }
+            for (dimension, size) in axes(value, item) {
+                if let Some(atom @ Atom::Item(..)) = dimension.as_atom() {
+                    found.push((true, (atom.clone(), size)));
+                }
+            }
+        }
+        found.sort_by_key(|(derived, _)| *derived);
+        found
     }
 
     /// Checks arguments of a function from the host.
@@ -141,7 +194,7 @@ impl<'a> Interpreter<'a> {
             let (name, ty) = (&parameter.name, &parameter.ty);
             for (dimension, found) in axes(value, ty) {
                 // the length of a sequence is its own, whatever its letter
-                if matches!(dimension.as_atom(), Some(Atom::Length(_))) {
+                if matches!(dimension.as_atom(), Some(Atom::Length(_))) || dimension.is_ragged() {
                     continue;
                 }
                 match (self.size(&scope, &dimension), dimension.as_atom()) {
@@ -172,22 +225,26 @@ impl<'a> Interpreter<'a> {
         ty: &Type,
         within: Option<ExprId>,
     ) -> Result<(), String> {
-        let members: &[Value] = match value {
-            Value::Set(members) => members,
-            Value::Element(_) => std::slice::from_ref(value),
-            _ => return Ok(()),
+        let members: &[Value] = match (value, ty) {
+            (Value::Sequence(items), Type::Sequence { item, .. }) => {
+                return items
+                    .iter()
+                    .try_for_each(|value| self.check_elements(name, value, item, within));
+            }
+            (Value::Set(members), _) => members,
+            _ => std::slice::from_ref(value),
         };
         let element = match ty {
             Type::Element(element) => Some(*element),
             ty => ty.element_of_set(),
         };
-        let Some(element) = element else {
-            return Ok(());
-        };
-        let n = self.count(element);
-        let outside = |member: &&Value| matches!(member, Value::Element(id) if *id as usize >= n);
-        if let Some(member) = members.iter().find(outside) {
-            return Err(format!("`{name}` is {member}, which is not in the mesh"));
+        if let Some(element) = element {
+            let n = self.count(element);
+            let outside =
+                |member: &&Value| matches!(member, Value::Element(id) if *id as usize >= n);
+            if let Some(member) = members.iter().find(outside) {
+                return Err(format!("`{name}` is {member}, which is not in the mesh"));
+            }
         }
         let within = within.map(|set| self.eval(&mut Scope::default(), set));
         let set = match within {

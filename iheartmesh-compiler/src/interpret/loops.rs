@@ -70,6 +70,9 @@ impl<'a> Interpreter<'a> {
                         return Err(self.fault(e));
                     }
                     let zero = DMatrix::zeros(rows, columns);
+                    if terms.iter().any(|term| term.shape() != zero.shape()) {
+                        return Err(self.fault(e));
+                    }
                     Value::Reals(terms.iter().fold(zero, |sum, term| sum + term))
                 }
             },
@@ -149,7 +152,11 @@ impl<'a> Interpreter<'a> {
         for i in 1..=sizes[0] as i64 {
             for j in 1..=columns as i64 {
                 for (variable, index) in variables.iter().zip([i, j]) {
-                    scope.variables.insert(*variable, Value::Integer(index));
+                    let value = match self.program.arena.variable_type(*variable) {
+                        Type::Element(_) => Value::Element(index as u32 - 1),
+                        _ => Value::Integer(index),
+                    };
+                    scope.variables.insert(*variable, value);
                 }
                 values.push(self.eval(scope, body)?);
             }

@@ -207,12 +207,13 @@ impl<'a> Interpreter<'a> {
                 _ => None,
             }
         };
-        dimension.terms().try_fold(0i64, |sum, (k, atoms)| {
+        let sum = dimension.terms().try_fold(0i64, |sum, (k, atoms)| {
             let product = atoms
                 .iter()
                 .try_fold(k, |product, atom| product.checked_mul(value(atom)?))?;
             sum.checked_add(product)
-        })
+        })?;
+        Some(sum / dimension.denominator())
     }
 
     fn ty(&self, e: ExprId) -> &'a Type {

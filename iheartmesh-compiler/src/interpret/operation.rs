@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::array::{real, reals, shape};
+use super::array::{integer, real, reals, shape};
 use super::{Fault, Interpreter, Value, factor};
 use crate::ir::{Binary, Elementary, ExprId, Unary};
 use crate::types::{Number, Type};
@@ -63,6 +63,15 @@ impl Interpreter<'_> {
             Unary::Least | Unary::Greatest => match a {
                 Value::Integers(a) => {
                     let entries = a.iter().copied();
+                    let best = if op == Unary::Least {
+                        entries.min()
+                    } else {
+                        entries.max()
+                    };
+                    Value::Integer(best.ok_or_else(fault)?)
+                }
+                Value::Sequence(items) if *ty == Type::INTEGER => {
+                    let entries = items.into_iter().map(integer);
                     let best = if op == Unary::Least {
                         entries.min()
                     } else {
@@ -275,9 +284,8 @@ fn fits(ty: &Type, (rows, columns): (usize, usize)) -> bool {
 fn stack(value: Value) -> Vec<f64> {
     match value {
         Value::Sequence(items) => items.into_iter().flat_map(stack).collect(),
-        Value::Integer(_) | Value::Integers(_) => {
-            panic!("bug in iheartmesh: integers that should be real numbers")
-        }
+        Value::Integer(k) => vec![k as f64],
+        Value::Integers(a) => a.iter().map(|k| *k as f64).collect(),
         other => reals(other).iter().copied().collect(),
     }
 }

@@ -53,7 +53,10 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         Kind::Update(..) => "a place that is set does not exist",
         Kind::RowOf(..) => "the matrix has no such row",
         Kind::ColumnOf(..) => "the matrix has no such column",
-        Kind::Agree(..) => "two sizes differ that one index runs over,",
+        Kind::Agree(..) if *arena.ty(e) == Type::INTEGER => {
+            "two sizes differ that one index runs over,"
+        }
+        Kind::Agree(..) => "two sizes differ",
         Kind::Unary(Unary::Inverse, _) => "a singular matrix has no inverse:",
         Kind::Binary(Binary::Solve, ..) => "the matrix of the system is singular",
         Kind::Binary(Binary::MatrixPower, ..) => "this power of the matrix does not exist",

@@ -30,7 +30,7 @@ pub fn unproven(arena: &Arena, e: ExprId) -> Vec<(Axis, Axis)> {
         _ => Vec::new(),
     };
     let is_unproven = |(a, b): &(Axis, Axis)| match (size(arena, *a), size(arena, *b)) {
-        (Some(a), Some(b)) => a != b && (is_dynamic(&a) || is_dynamic(&b)),
+        (Some(a), Some(b)) => a != b && (a.is_dynamic() || b.is_dynamic()),
         _ => false,
     };
     pairs.into_iter().filter(is_unproven).collect()
@@ -39,13 +39,8 @@ pub fn unproven(arena: &Arena, e: ExprId) -> Vec<(Axis, Axis)> {
 /// Whether a type has a size that is known only from a value, which may be another each time it is computed.
 pub fn is_of_unknown_size(ty: &Type) -> bool {
     let mut unknown = false;
-    ty.atoms(&mut |atom| unknown |= matches!(atom, Atom::Dynamic(_)));
+    ty.atoms(&mut |atom| unknown |= matches!(atom, Atom::Dynamic(_) | Atom::Item(..)));
     unknown
-}
-
-fn is_dynamic(size: &Dimension) -> bool {
-    let mut atoms = size.terms().flat_map(|(_, atoms)| atoms);
-    atoms.any(|atom| matches!(atom, Atom::Dynamic(_)))
 }
 
 fn size(arena: &Arena, (e, axis): Axis) -> Option<Dimension> {

@@ -348,10 +348,10 @@ pub fn left_indices(definition: &Definition) -> Vec<&Name> {
 /// The names that the sizes in a type use: they are declared by it, unless something else declares them.
 pub fn dimension_names(ty: &Type, found: &mut dyn FnMut(&Name)) {
     match &ty.kind {
-        TypeKind::Vector { length, .. } => FreeNames::new(Vec::new(), found).expr(length),
+        TypeKind::Vector { length, .. } => size_names(length, found),
         TypeKind::Matrix { rows, columns, .. } => {
-            FreeNames::new(Vec::new(), found).expr(rows);
-            FreeNames::new(Vec::new(), found).expr(columns);
+            size_names(rows, found);
+            size_names(columns, found);
         }
         TypeKind::Set(items) | TypeKind::SetOfAlternatives(items) | TypeKind::Tuple(items) => {
             items.iter().for_each(|t| dimension_names(t, found))
@@ -365,5 +365,17 @@ pub fn dimension_names(ty: &Type, found: &mut dyn FnMut(&Name)) {
             .for_each(|t| dimension_names(t, found)),
         TypeKind::Mapping { to, .. } => dimension_names(to, found),
         _ => {}
+    }
+}
+
+/// The names that a size uses; the subscript of `n_i` is that of the sequence.
+fn size_names(e: &Expr, found: &mut dyn FnMut(&Name)) {
+    match &e.kind {
+        ExprKind::Subscript { base, .. } => size_names(base, found),
+        ExprKind::Binary { left, right, .. } => {
+            size_names(left, found);
+            size_names(right, found);
+        }
+        _ => FreeNames::new(Vec::new(), found).expr(e),
     }
 }

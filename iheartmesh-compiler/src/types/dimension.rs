@@ -1,4 +1,4 @@
-//! Sizes as polynomials with integer coefficients over symbols, so that `n + n` and `2n` are one size.
+//! Sizes as polynomials with rational coefficients over symbols, so that `n + n` and `2n` are one size.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -16,13 +16,27 @@ pub enum Atom {
     Count(Element),
     /// A size that is known only at run time; each is different from every other.
     Dynamic(u32),
+    /// A size that differs from item to item of a sequence, as the `n_i` of `x_i ∈ ℝ^(n_i)`: a symbol or what is
+    /// known only at run time, of each item, or of the item at a place.
+    Item(Box<Atom>, Option<Place>),
 }
 
-/// A size: a polynomial in [`Atom`]s.
+/// Which item of a sequence is meant: an expression.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// Its number; equal numbers stand for equal values.
+    pub expression: u32,
+    /// As it is shown in messages.
+    pub shown: String,
+}
+
+/// A size: a polynomial in [`Atom`]s over a number.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Dimension {
     /// Coefficient of each product of atoms (sorted); zero coefficients are left out.
     terms: BTreeMap<Vec<Atom>, i64>,
+    /// What all of them are divided by: positive, and without a common factor with all coefficients.
+    denominator: i64,
 }
 
 impl Dimension {
@@ -32,18 +46,25 @@ impl Dimension {
         if value != 0 {
             terms.insert(Vec::new(), value);
         }
-        Self { terms }
+        Self {
+            terms,
+            denominator: 1,
+        }
     }
 
     /// A single unknown.
     pub fn atom(atom: Atom) -> Self {
         Self {
             terms: BTreeMap::from([(vec![atom], 1)]),
+            denominator: 1,
         }
     }
 
-    /// The number it is, if it is one.
+    /// The number it is, if it is an integer.
     pub fn value(&self) -> Option<i64> {
+        if self.denominator != 1 {
+            return None;
+        }
         match self.terms.len() {
             0 => Some(0),
             1 => self.terms.get(&Vec::new()).copied(),
@@ -54,36 +75,67 @@ impl Dimension {
     /// The single unknown it is, if it is one.
     pub fn as_atom(&self) -> Option<&Atom> {
         match self.terms.iter().next() {
-            Some((atoms, 1)) if self.terms.len() == 1 && atoms.len() == 1 => atoms.first(),
+            Some((atoms, 1))
+                if self.terms.len() == 1 && atoms.len() == 1 && self.denominator == 1 =>
+            {
+                atoms.first()
+            }
             _ => None,
         }
     }
 
     /// Sum of two sizes; `None` when a coefficient overflows.
     pub fn add(&self, other: &Self) -> Option<Self> {
-        let mut terms = self.terms.clone();
-        for (atoms, coefficient) in &other.terms {
-            let sum = terms.entry(atoms.clone()).or_insert(0);
-            *sum = sum.checked_add(*coefficient)?;
+        let mut terms = BTreeMap::new();
+        for (from, factor) in [(self, other.denominator), (other, self.denominator)] {
+            for (atoms, coefficient) in &from.terms {
+                let sum: &mut i64 = terms.entry(atoms.clone()).or_insert(0);
+                *sum = sum.checked_add(coefficient.checked_mul(factor)?)?;
+            }
         }
-        terms.retain(|_, coefficient| *coefficient != 0);
-        Some(Self { terms })
+        Self::reduced(terms, self.denominator.checked_mul(other.denominator)?)
     }
 
     /// Product of two sizes; `None` when a coefficient overflows.
     pub fn multiply(&self, other: &Self) -> Option<Self> {
-        let mut product = Self::known(0);
+        let mut terms = BTreeMap::new();
         for (a, x) in &self.terms {
             for (b, y) in &other.terms {
                 let mut atoms = a.clone();
                 atoms.extend(b.iter().cloned());
                 atoms.sort();
-                product = product.add(&Self {
-                    terms: BTreeMap::from([(atoms, x.checked_mul(*y)?)]),
-                })?;
+                let sum: &mut i64 = terms.entry(atoms).or_insert(0);
+                *sum = sum.checked_add(x.checked_mul(*y)?)?;
             }
         }
-        Some(product)
+        Self::reduced(terms, self.denominator.checked_mul(other.denominator)?)
+    }
+
+    /// A size divided by a number; `None` for 0, and when a coefficient overflows.
+    pub fn divide(&self, by: i64) -> Option<Self> {
+        let sign = (by != 0).then(|| by.signum())?;
+        let mut terms = self.terms.clone();
+        for coefficient in terms.values_mut() {
+            *coefficient = coefficient.checked_mul(sign)?;
+        }
+        Self::reduced(terms, self.denominator.checked_mul(by.checked_abs()?)?)
+    }
+
+    /// Without what has no effect: zero coefficients, and what all coefficients and the denominator have in common.
+    fn reduced(mut terms: BTreeMap<Vec<Atom>, i64>, denominator: i64) -> Option<Self> {
+        if denominator <= 0 {
+            return None;
+        }
+        terms.retain(|_, coefficient| *coefficient != 0);
+        let common = terms.values().fold(denominator.unsigned_abs(), |a, b| {
+            greatest_common_divisor(a, b.unsigned_abs())
+        });
+        let common = i64::try_from(common).ok()?;
+        for coefficient in terms.values_mut() {
+            *coefficient /= common;
+        }
+        let denominator = denominator / common;
+        Some(Self { terms, denominator })
     }
 
     /// The negated size.
@@ -97,7 +149,12 @@ impl Dimension {
         self != other && !self.is_dynamic() && !other.is_dynamic()
     }
 
-    /// The sum of products that it is: coefficients with their atoms.
+    /// What the sum of its [`terms`](Self::terms) is divided by.
+    pub fn denominator(&self) -> i64 {
+        self.denominator
+    }
+
+    /// The sum of products that it is, over its [`denominator`](Self::denominator): coefficients with their atoms.
     pub fn terms(&self) -> impl Iterator<Item = (i64, &[Atom])> {
         self.terms.iter().map(|(atoms, k)| (*k, atoms.as_slice()))
     }
@@ -121,14 +178,30 @@ impl Dimension {
             }
             sum = product.and_then(|p| sum.add(&p)).unwrap_or(sum);
         }
-        sum
+        sum.divide(self.denominator).unwrap_or(sum)
     }
 
-    fn is_dynamic(&self) -> bool {
-        self.terms
-            .keys()
-            .flatten()
-            .any(|atom| matches!(atom, Atom::Dynamic(_)))
+    /// All unknowns in it.
+    pub fn atoms(&self) -> impl Iterator<Item = &Atom> {
+        self.terms.keys().flatten()
+    }
+
+    /// Whether it differs from item to item of a sequence.
+    pub fn is_ragged(&self) -> bool {
+        self.atoms().any(|atom| matches!(atom, Atom::Item(_, None)))
+    }
+
+    /// Whether something in it is known only at run time.
+    pub fn is_dynamic(&self) -> bool {
+        self.atoms()
+            .any(|atom| matches!(atom, Atom::Dynamic(_) | Atom::Item(..)))
+    }
+}
+
+fn greatest_common_divisor(a: u64, b: u64) -> u64 {
+    match b {
+        0 => a,
+        _ => greatest_common_divisor(b, a % b),
     }
 }
 
@@ -147,6 +220,9 @@ impl fmt::Display for Atom {
                 write!(f, "|{letter}|")
             }
             Atom::Dynamic(_) => write!(f, "?"),
+            Atom::Item(of, _) if matches!(**of, Atom::Dynamic(_)) => write!(f, "?"),
+            Atom::Item(of, None) => write!(f, "{of}_i"),
+            Atom::Item(of, Some(place)) => write!(f, "{of}_{}", place.shown),
         }
     }
 }
@@ -155,6 +231,16 @@ impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.terms.is_empty() {
             return write!(f, "0");
+        }
+        if self.denominator != 1 {
+            let above = Self {
+                denominator: 1,
+                ..self.clone()
+            };
+            return match self.terms.len() {
+                1 => write!(f, "{above}/{}", self.denominator),
+                _ => write!(f, "({above})/{}", self.denominator),
+            };
         }
         // the constant comes last, as one writes it
         let (constant, others): (Vec<_>, Vec<_>) =
@@ -205,6 +291,37 @@ mod tests {
         assert!(symbol("n").differs(&symbol("m")));
         assert!(symbol("n").differs(&Dimension::known(3)));
         assert!(!symbol("n").differs(&Dimension::atom(Atom::Dynamic(0))));
+    }
+
+    #[test]
+    fn quotients_are_reduced() {
+        let (n, one) = (symbol("n"), Dimension::known(1));
+        let half = n.divide(2).unwrap();
+        assert_eq!(half.add(&half), Some(n.clone()));
+        assert_eq!(half.to_string(), "n/2");
+        let more = n.add(&one).unwrap().divide(2).unwrap();
+        assert_eq!(more.to_string(), "(n+1)/2");
+        assert_eq!(
+            more.multiply(&Dimension::known(4)).unwrap().to_string(),
+            "2n+2"
+        );
+        assert_eq!(n.divide(-2).unwrap().to_string(), "-n/2");
+        assert_eq!(Dimension::known(3).divide(2).unwrap().value(), None);
+        assert_eq!(n.divide(0), None);
+    }
+
+    #[test]
+    fn sizes_of_items_may_agree() {
+        let n = Box::new(Atom::Symbol("n".into()));
+        let at = |k: u32| Place {
+            expression: k,
+            shown: k.to_string(),
+        };
+        let first = Dimension::atom(Atom::Item(n.clone(), Some(at(1))));
+        let second = Dimension::atom(Atom::Item(n.clone(), Some(at(2))));
+        assert!(first != second && !first.differs(&second));
+        assert_eq!(first.to_string(), "n_1");
+        assert!(Dimension::atom(Atom::Item(n, None)).is_ragged());
     }
 
     #[test]

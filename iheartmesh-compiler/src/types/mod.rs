@@ -6,7 +6,7 @@ mod dimension;
 pub mod display;
 
 pub use crate::syntax::ast::{ElementKind, MeshKind, Number};
-pub use dimension::{Atom, Dimension};
+pub use dimension::{Atom, Dimension, Place};
 
 /// Index of a mesh among the inputs of a program: the *owner* of elements, element sets and matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -255,6 +255,33 @@ impl Type {
             Type::Tuple(items) => items.iter().all(Type::is_fixed),
             _ => true,
         }
+    }
+
+    /// The type with the unknowns in its sizes replaced.
+    pub fn with_atoms(&self, replace: &dyn Fn(&Atom) -> Option<Atom>) -> Type {
+        self.with_sizes(&|size| size.substitute(&|atom| replace(atom).map(Dimension::atom)))
+    }
+
+    /// The type with its sizes replaced.
+    pub fn with_sizes(&self, replace: &dyn Fn(&Dimension) -> Dimension) -> Type {
+        let mut ty = self.clone();
+        match &mut ty {
+            Type::Vector { length, .. } => *length = replace(length),
+            Type::Matrix { rows, columns, .. } => {
+                *rows = replace(rows);
+                *columns = replace(columns);
+            }
+            Type::Sequence { item, length, .. } => {
+                **item = item.with_sizes(replace);
+                *length = replace(length);
+            }
+            Type::Set(item) => **item = item.with_sizes(replace),
+            Type::Tuple(items) => items
+                .iter_mut()
+                .for_each(|item| *item = item.with_sizes(replace)),
+            _ => {}
+        }
+        ty
     }
 
     /// The length of a dense vector of a fixed number of reals or integers.

@@ -6,29 +6,6 @@ use super::Fault;
 use crate::complex::CellComplex;
 use crate::{CellularSet, Element, Error, Set, SetItem};
 
-/// An element that is a parameter of the struct.
-pub fn check_element<T: Element>(
-    parameter: &str,
-    element: T,
-    n: usize,
-    mesh: &str,
-) -> Result<(), Error> {
-    if element.index() < n {
-        return Ok(());
-    }
-    Err(not_member("", parameter, element, mesh, n))
-}
-
-/// A set of elements that is a parameter of the struct.
-pub fn check_set<T: Element + SetItem>(
-    parameter: &str,
-    set: &Set<T>,
-    n: usize,
-    mesh: &str,
-) -> Result<(), Error> {
-    check_set_argument("", parameter, set, n, mesh)
-}
-
 /// An element that is an argument of a function.
 #[inline(always)]
 pub fn check_argument<T: Element>(
@@ -75,17 +52,38 @@ pub fn check_member<T: Element>(
     Err(not_member(function, parameter, element, set, members.len()))
 }
 
-/// A set that must be part of a set of elements.
-pub fn check_members<T: Element + SetItem>(
+/// An element that must be in a set that the host handed in.
+pub fn check_element_in<T: Element + SetItem>(
     function: &str,
     parameter: &str,
-    elements: &Set<T>,
-    members: &[u32],
+    element: T,
+    members: &Set<T>,
     set: &str,
 ) -> Result<(), Error> {
-    elements
-        .iter()
-        .try_for_each(|element| check_member(function, parameter, *element, members, set))
+    if members.contains(&element) {
+        return Ok(());
+    }
+    Err(not_member(function, parameter, element, set, members.len()))
+}
+
+/// A value that must be in a set.
+pub fn check_in<T: SetItem + fmt::Debug>(
+    function: &str,
+    parameter: &str,
+    value: &T,
+    members: &Set<T>,
+    set: &str,
+) -> Result<(), Error> {
+    if members.contains(value) {
+        return Ok(());
+    }
+    Err(Error::NotMember {
+        function: function.to_owned(),
+        parameter: parameter.to_owned(),
+        element: format!("{value:?}"),
+        set: set.to_owned(),
+        size: members.len(),
+    })
 }
 
 /// A cellular set that is an argument of a function.
@@ -206,6 +204,60 @@ pub fn check_pairs(
         }
     }
     Ok(())
+}
+
+/// A size of an item of a sequence, counted from 0; what is wanted is a quotient.
+pub fn check_item_size(
+    parameter: &str,
+    item: usize,
+    what: &str,
+    found: i64,
+    (above, below): (i64, i64),
+    written: &str,
+    source: &str,
+) -> Result<(), Error> {
+    if found.checked_mul(below) == Some(above) {
+        return Ok(());
+    }
+    let what = format!("{what} of item {}", item + 1);
+    check_quotient_size(parameter, &what, found, (above, below), written, source)
+}
+
+/// A size that is a quotient must be an integer.
+pub fn check_quotient(parameter: &str, above: i64, below: i64, written: &str) -> Result<(), Error> {
+    if above % below == 0 {
+        return Ok(());
+    }
+    Err(Error::Fraction {
+        parameter: parameter.to_owned(),
+        written: written.to_owned(),
+        above,
+        below,
+    })
+}
+
+/// A size that is wanted as a quotient.
+pub fn check_quotient_size(
+    parameter: &str,
+    what: &str,
+    found: i64,
+    (above, below): (i64, i64),
+    written: &str,
+    source: &str,
+) -> Result<(), Error> {
+    if found.checked_mul(below) == Some(above) {
+        return Ok(());
+    }
+    check_quotient(parameter, above, below, written)?;
+    check_size(parameter, what, found, above / below, written, source)
+}
+
+/// What is wrong with an argument of a function.
+pub fn of_function(function: &str, check: Result<(), Error>) -> Result<(), Error> {
+    check.map_err(|error| Error::Argument {
+        function: function.to_owned(),
+        error: Box::new(error),
+    })
 }
 
 /// The error of a call that has no value.

@@ -142,12 +142,12 @@ pub fn stack<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
 }
 
 /// The items of a sequence, each column by column, one below the other.
-pub fn stack_items<R: Build<Item = f64>, A: Array<Item = f64>>(items: &[A]) -> R {
+pub fn stack_items<R: Build<Item = f64>, A: Array>(items: &[A]) -> R {
     let mut entries = Vec::new();
     for item in items {
         for j in 0..item.columns() {
             for i in 0..item.rows() {
-                entries.push(item.entry(i, j));
+                entries.push(item.entry(i, j).real());
             }
         }
     }
@@ -296,6 +296,31 @@ pub fn greatest<A: Array>(a: &A, fault: Fault) -> Fallible<A::Item> {
     extreme(a, |x, best| x > best, fault)
 }
 
+/// The least of several numbers; of none there is none.
+pub fn least_item<T: Number>(items: &[T], fault: Fault) -> Fallible<T> {
+    extreme_item(items, |x, best| x < best, fault)
+}
+
+/// The greatest of several numbers; of none there is none.
+pub fn greatest_item<T: Number>(items: &[T], fault: Fault) -> Fallible<T> {
+    extreme_item(items, |x, best| x > best, fault)
+}
+
+fn extreme_item<T: Number>(
+    items: &[T],
+    better: impl Fn(T, T) -> bool,
+    fault: Fault,
+) -> Fallible<T> {
+    let best = items
+        .iter()
+        .copied()
+        .reduce(|best, x| match better(x, best) {
+            true => x,
+            false => best,
+        });
+    best.ok_or(fault)
+}
+
 fn extreme<A: Array>(
     a: &A,
     better: impl Fn(A::Item, A::Item) -> bool,
@@ -323,4 +348,27 @@ pub fn size(n: i64) -> usize {
 #[inline(always)]
 pub fn agree(a: i64, b: i64, fault: Fault) -> Fallible<()> {
     if a == b { Ok(()) } else { Err(fault) }
+}
+
+/// Adds a term to a sum that has the size of its first term.
+pub fn add_to<R: Build>(
+    sum: &mut Option<R>,
+    term: &impl Array<Item = R::Item>,
+    fault: Fault,
+) -> Fallible<()> {
+    let Some(sum) = sum else {
+        *sum = Some(reshape(term));
+        return Ok(());
+    };
+    if (sum.rows(), sum.columns()) != (term.rows(), term.columns()) {
+        return Err(fault);
+    }
+    for column in 0..term.columns() {
+        for row in 0..term.rows() {
+            let mut entry = sum.entry(row, column);
+            entry += term.entry(row, column);
+            sum.set(row, column, entry);
+        }
+    }
+    Ok(())
 }

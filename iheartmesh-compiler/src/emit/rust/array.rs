@@ -75,7 +75,13 @@ impl Body<'_> {
             }
             Kind::Extent(a, axis) => {
                 let sequence = matches!(self.ty(*a), Type::Sequence { .. });
-                let a = self.reference(*a);
+                let a = match self.kind(*a) {
+                    Kind::Input(id) if sequence => {
+                        let field = self.context.input_field(*id);
+                        quote!(#field)
+                    }
+                    _ => self.reference(*a),
+                };
                 match (sequence, axis) {
                     (true, _) => quote!(((#a).len() as i64)),
                     (false, 0) => quote!((rt::Array::rows(#a) as i64)),
@@ -305,10 +311,10 @@ impl Body<'_> {
                 quote!(rt::singular_values::<#(#items),*>(#a))
             }
             Unary::Least if sequence => {
-                quote!(rt::least(&rt::stack_items::<rt::Column, _>(&(#a)[..]), #site)?)
+                quote!(rt::least_item(&(#a)[..], #site)?)
             }
             Unary::Greatest if sequence => {
-                quote!(rt::greatest(&rt::stack_items::<rt::Column, _>(&(#a)[..]), #site)?)
+                quote!(rt::greatest_item(&(#a)[..], #site)?)
             }
             Unary::Least => quote!(rt::least(#a, #site)?),
             Unary::Greatest => quote!(rt::greatest(#a, #site)?),

@@ -309,21 +309,9 @@ impl<'a> Body<'a> {
                 quote!(sum += #value;)
             }
             Fold::Sum if self.context.known_zero_of(ty, &self.sizes).is_none() => {
-                let value = self.owned(body);
-                let inner = self.context.inner_type(ty);
+                let value = self.reference(body);
                 let site = self.context.site(e);
-                quote! {
-                    let value = #value;
-                    sum = ::std::option::Option::Some(match sum {
-                        ::std::option::Option::Some(sum) if rt::Array::rows(&sum) != rt::Array::rows(&value)
-                            || rt::Array::columns(&sum) != rt::Array::columns(&value) =>
-                        {
-                            return ::std::result::Result::Err(#site);
-                        }
-                        ::std::option::Option::Some(sum) => rt::zip::<#inner>(&sum, &value, |a, b| a + b),
-                        ::std::option::Option::None => value,
-                    });
-                }
+                quote!(rt::add_to(&mut sum, #value, #site)?;)
             }
             Fold::Sum => {
                 let value = self.reference(body);

@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::member::{Checked, at_hand};
 use super::{Context, names};
-use crate::ir::{ExprId, Function, GlobalId, Input, InputId, Kind, Parameter};
+use crate::ir::{ExprId, Function, Input, InputId, Kind};
 use crate::types::{Atom, Element, Type};
 
 impl Context<'_> {
@@ -16,23 +17,17 @@ impl Context<'_> {
         let field = self.input_field(id);
         let name = &input.name;
         let mut checks = TokenStream::new();
-        if let Type::Element(element) = input.ty {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_element(#name, #field, #n, #mesh)?;));
-        }
-        if let Some(element) = input.ty.element_of_set() {
-            let n = self.count(element);
-            let mesh = &self.program().mesh(element.mesh).name;
-            checks.extend(quote!(rt::check_set(#name, #field.as_ref(), #n, #mesh)?;));
-        }
-        if let Type::CellularSet(Some(mesh)) = input.ty {
-            let (field_of_mesh, mesh) = (self.mesh_field(mesh), &self.program().mesh(mesh).name);
-            checks.extend(quote! {
-                rt::check_cellular_set("", #name, #field.as_ref(), t.#field_of_mesh.complex(), #mesh)?;
-            });
-        }
-        checks.extend(self.item_checks(input, &field));
+        let checked = Checked {
+            function: "",
+            parameter: name,
+            set: &input
+                .ty
+                .owner()
+                .or_else(|| self.items_owner(&input.ty))
+                .map_or(String::new(), |mesh| self.program().mesh(mesh).name.clone()),
+        };
+        let value = at_hand(&input.ty, quote!(#field));
+        checks.extend(self.element_checks(checked, &input.ty, &value));
         for pairs in &input.pairs {
             let [rows, columns] = pairs.sizes.each_ref().map(|size| self.size(size));
             let (first, matrix) = (pairs.first, &pairs.matrix);
@@ -40,7 +35,7 @@ impl Context<'_> {
                 quote!(rt::check_pairs(#name, #field.as_ref(), #first, (#rows, #columns), #matrix)?;),
             );
         }
-        checks.extend(self.smaller_set_check(input, &field));
+        checks.extend(self.fixed_member_check(id, input));
         if let Type::Sequence { length, index, .. } = &input.ty {
             let indexed: Vec<Element> = index.iter().chain(&input.indexed_by).copied().collect();
             let indexed: BTreeSet<Element> = indexed.into_iter().collect();
@@ -71,52 +66,12 @@ impl Context<'_> {
         checks
     }
 
-    /// Checks the elements in the items of a sequence, or in the tuples of a set.
-    fn item_checks(&self, input: &Input, field: &proc_macro2::Ident) -> Option<TokenStream> {
-        let (Type::Sequence { item, .. } | Type::Set(item)) = &input.ty else {
-            return None;
-        };
-        let name = &input.name;
-        let check = |element: &Element, value: TokenStream| {
-            let (n, mesh) = (
-                self.count(*element),
-                &self.program().mesh(element.mesh).name,
-            );
-            quote!(rt::check_element(#name, #value, #n, #mesh)?;)
-        };
-        let checks: Vec<TokenStream> = match (&**item, &input.ty) {
-            (Type::Element(element), Type::Sequence { .. }) => vec![check(element, quote!(*item))],
-            (Type::Tuple(items), _) => items
-                .iter()
-                .enumerate()
-                .filter_map(|(k, item)| match item {
-                    Type::Element(element) => {
-                        let k = proc_macro2::Literal::usize_unsuffixed(k);
-                        Some(check(element, quote!(item.#k)))
-                    }
-                    _ => None,
-                })
-                .collect(),
-            _ => Vec::new(),
-        };
-        (!checks.is_empty()).then(|| quote!(for item in #field.as_ref().iter() { #(#checks)* }))
-    }
-
-    /// Checks an input that must be in a set which is not all elements of its kind, where that set is known from the
-    /// mesh.
-    fn smaller_set_check(&self, input: &Input, field: &proc_macro2::Ident) -> Option<TokenStream> {
-        let Kind::Global(set) = self.program().arena.kind(input.within?) else {
-            return None;
-        };
-        if !self.is_static_global(*set) {
-            return None;
+    /// The mesh of the elements in a sequence.
+    fn items_owner(&self, ty: &Type) -> Option<crate::types::MeshId> {
+        match ty {
+            Type::Sequence { item, .. } => item.owner(),
+            _ => None,
         }
-        let members = self.members_of_global(*set);
-        let (name, set) = (&input.name, &self.program().global(*set).name);
-        Some(match input.ty.is_element() {
-            true => quote!(rt::check_member("", #name, #field, #members, #set)?;),
-            false => quote!(rt::check_members("", #name, #field.as_ref(), #members, #set)?;),
-        })
     }
 
     fn length_check(
@@ -134,99 +89,56 @@ impl Context<'_> {
 
     /// Checks the arguments of a method, which are at hand under their Rust names.
     pub(super) fn argument_checks(&self, function: &Function) -> TokenStream {
-        function
+        let sizes = self.argument_size_checks(function);
+        let members: TokenStream = function
             .parameters
             .iter()
             .map(|p| {
                 let name = names::argument(&p.name);
-                let (called, written, set) = (&function.name, &p.name, &p.within_name);
-                if let Type::Sequence { item, .. } = &p.ty && p.within.is_some() {
-                    return self.argument_item_checks(function, p, item);
+                let value = at_hand(&p.ty, quote!(#name));
+                let mut checked = Checked {
+                    function: &function.name,
+                    parameter: &p.name,
+                    set: &p.within_name,
+                };
+                if let Some(check) = self.member_check(checked, &p.ty, &value, p.within) {
+                    return check;
                 }
-                if let Some(members) = self.members(p.within) {
-                    return match p.ty.is_element() {
-                        true => quote!(rt::check_member(#called, #written, #name, #members, #set)?;),
-                        false => quote!(rt::check_members(#called, #written, #name.as_ref(), #members, #set)?;),
-                    };
+                let mesh;
+                if let Type::CellularSet(Some(owner)) = p.ty {
+                    mesh = self.program().mesh(owner).name.clone();
+                    checked.set = &mesh;
                 }
-                match (&p.ty, p.ty.element_of_set()) {
-                    (Type::Element(element), _) => {
-                        let n = self.count(*element);
-                        quote!(rt::check_argument(#called, #written, #name, #n, #set)?;)
-                    }
-                    (_, Some(element)) => {
-                        let n = self.count(element);
-                        quote!(rt::check_set_argument(#called, #written, #name.as_ref(), #n, #set)?;)
-                    }
-                    (Type::CellularSet(Some(mesh)), _) => {
-                        let (field, mesh) = (self.mesh_field(*mesh), &self.program().mesh(*mesh).name);
-                        quote!(rt::check_cellular_set(#called, #written, #name.as_ref(), t.#field.complex(), #mesh)?;)
-                    }
-                    (
-                        Type::Sequence {
-                            index: Some(element),
-                            ..
-                        },
-                        _,
-                    ) => self.length_check(written, &quote!(#name), *element, true),
-                    _ => TokenStream::new(),
+                let mut checks = self.element_checks(checked, &p.ty, &value);
+                if let Type::Sequence {
+                    index: Some(element),
+                    ..
+                } = &p.ty
+                {
+                    checks.extend(self.length_check(&p.name, &quote!(#name), *element, true));
                 }
+                checks
             })
-            .collect()
-    }
-
-    /// Checks the items of a sequence of elements, or of sets of elements, that are declared to be in a set.
-    fn argument_item_checks(&self, function: &Function, p: &Parameter, item: &Type) -> TokenStream {
-        let name = names::argument(&p.name);
-        let (called, written, set) = (&function.name, &p.name, &p.within_name);
-        let check = match (self.members(p.within), item, item.element_of_set()) {
-            (Some(members), Type::Element(_), _) => {
-                quote!(rt::check_member(#called, #written, *item, #members, #set)?;)
-            }
-            (Some(members), ..) => {
-                quote!(rt::check_members(#called, #written, item, #members, #set)?;)
-            }
-            (None, Type::Element(element), _) => {
-                let n = self.count(*element);
-                quote!(rt::check_argument(#called, #written, *item, #n, #set)?;)
-            }
-            (None, _, Some(element)) => {
-                let n = self.count(element);
-                quote!(rt::check_set_argument(#called, #written, item, #n, #set)?;)
-            }
-            _ => return TokenStream::new(),
-        };
-        quote!(for item in #name.as_ref() { #check })
+            .collect();
+        match sizes.is_empty() {
+            true => members,
+            false => quote!(#members let sizes = &s.sizes; #sizes),
+        }
     }
 
     /// The numbers of the members of the set that something is declared to be in, as a slice, where that is not all
     /// elements of a kind.
     pub(super) fn members(&self, within: Option<ExprId>) -> Option<TokenStream> {
         match self.program().arena.kind(within?) {
-            Kind::Global(id) => Some(self.members_of_global(*id)),
+            Kind::Global(id) => {
+                let set = self.set_of_global(*id);
+                Some(quote!(&(#set)[..]))
+            }
             Kind::Input(id) => {
                 let field = self.input_field(*id);
                 Some(quote!(&rt::ids_of_set(s.#field.as_ref())[..]))
             }
             _ => None,
-        }
-    }
-
-    fn members_of_global(&self, id: GlobalId) -> TokenStream {
-        let krate = self.krate;
-        let name = self.global_name(id);
-        let receiver = match self.is_static_global(id) {
-            true => quote!(t),
-            false => quote!(s),
-        };
-        let written = &self.program().global(id).name;
-        quote! {
-            match #receiver.#name() {
-                ::std::result::Result::Ok(set) => &set[..],
-                ::std::result::Result::Err(fault) => {
-                    return ::std::result::Result::Err(#krate::__private::undefined(#written, &[], fault));
-                }
-            }
         }
     }
 }

@@ -49,6 +49,10 @@ impl Body<'_> {
                 let field = self.context.input_field(*id);
                 match self.ty(e) {
                     // a local name, see `prelude`
+                    ty @ Type::Sequence { .. } if !self.context.is_same_outside(ty) => {
+                        let value = self.context.to_inner(quote!(#field), ty);
+                        quote!(&#value)
+                    }
                     Type::Sequence { .. } => quote!(#field),
                     ty if !self.context.is_same_outside(ty) => {
                         let value = self.context.to_inner(quote!(s.#field.as_ref()), ty);
@@ -64,8 +68,18 @@ impl Body<'_> {
                     false => quote!(s.#name()?),
                 }
             }
+            Kind::Agree(a, b, value) => {
+                let place = match self.names.contains_key(value) {
+                    true => self.reference(*value),
+                    false => self.place_of(*value)?,
+                };
+                let site = self.context.site(e);
+                let (a, b) = (self.owned(*a), self.owned(*b));
+                quote!({ rt::agree(#a, #b, #site)?; #place })
+            }
             Kind::Item(sequence, index)
                 if matches!(self.kind(*sequence), Kind::Input(_))
+                    && self.context.is_same_outside(self.ty(e))
                     && !self.index_may_fail(*index)
                     && self.ty(*index).is_element() =>
             {
@@ -101,6 +115,9 @@ impl Body<'_> {
                 match self.ty(e) {
                     Type::Element(_) => quote!(s.#field.id()),
                     ty if is_copy(ty) => quote!(s.#field),
+                    ty @ Type::Sequence { .. } if !self.context.is_same_outside(ty) => {
+                        self.context.to_inner(quote!(#field), ty)
+                    }
                     ty if !self.context.is_same_outside(ty) && super::item::is_converted(ty) => {
                         let value = self.context.to_inner(quote!(s.#field.as_ref()), ty);
                         quote!((#value))
@@ -266,7 +283,13 @@ impl Body<'_> {
         let found = self.item_place(e, sequence, index);
         match (self.kind(sequence), copy) {
             // the host's items
-            (Kind::Input(_), true) if self.ty(e).is_element() => quote!((#found).id()),
+            (Kind::Input(_), _) if !self.context.is_same_outside(self.ty(e)) => match self.ty(e) {
+                Type::Element(_) => quote!((#found).id()),
+                ty => {
+                    let value = self.context.to_inner(quote!(item), ty);
+                    quote!({ let item = &(#found); #value })
+                }
+            },
             (_, true) => found,
             (_, false) => quote!((#found).clone()),
         }
@@ -274,11 +297,17 @@ impl Body<'_> {
 
     /// An item of a sequence where it stands.
     pub(super) fn item_place(&mut self, e: ExprId, sequence: ExprId, index: ExprId) -> TokenStream {
-        let base = match self.reference(sequence) {
-            reference if matches!(self.kind(sequence), Kind::Input(_) | Kind::Variable(_)) => {
-                reference
+        let base = match self.kind(sequence) {
+            // a local name, see `prelude`
+            Kind::Input(id) => {
+                let field = self.context.input_field(*id);
+                quote!(#field)
             }
-            reference => quote!((#reference)),
+            Kind::Variable(_) => self.reference(sequence),
+            _ => {
+                let reference = self.reference(sequence);
+                quote!((#reference))
+            }
         };
         if self.ty(index).is_element() {
             let may_fail = self.index_may_fail(index);

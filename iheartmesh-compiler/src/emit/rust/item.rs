@@ -223,6 +223,8 @@ impl Context<'_> {
         let checks = self
             .values()
             .map(|(id, input)| self.input_checks(id, input, false));
+        let state = quote!(Self { topology, sizes, plans, #(#values,)* #(#changing_starts)* });
+        let (state, sets) = self.with_set_checks(&state);
         let (size_names, size_values): (Vec<_>, Vec<_>) = self.size_sources().into_iter().unzip();
         quote! {
             pub struct Topology<'a> {
@@ -260,8 +262,9 @@ impl Context<'_> {
                     #(#checks)*
                     #plan_statements
                     let plans = Plans { #plan_names };
-                    ::std::result::Result::Ok(Self { topology, sizes, plans, #(#values,)* #(#changing_starts)* })
+                    #state
                 }
+                #sets
 
                 #(#changing_methods)*
             }

@@ -197,7 +197,6 @@ impl Context<'_> {
         let function = self.program().function(id);
         let conversions = self.conversions(function);
         let checks = self.argument_checks(function);
-        let sizes = self.argument_size_checks(&function.parameters);
         let call = self.inner_call(id, inside);
         let value = self.to_outer(quote!(value), &function.ty);
         let shown = self.shown_arguments(&function.parameters);
@@ -205,7 +204,6 @@ impl Context<'_> {
         quote! {
             #conversions
             #checks
-            #sizes
             match #call {
                 ::std::result::Result::Ok(value) => ::std::result::Result::Ok(#value),
                 ::std::result::Result::Err(fault) => {

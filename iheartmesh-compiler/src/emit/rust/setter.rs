@@ -38,6 +38,23 @@ impl Context<'_> {
                 .dependent_globals(id)
                 .into_iter()
                 .map(|global| self.cache_name(global));
+            let caches: Vec<_> = caches.collect();
+            let set = match self.changing_member_checks().is_empty() {
+                true => {
+                    quote!(self.state.#field = #field; #(self.state.#caches = ::std::sync::OnceLock::new();)*)
+                }
+                false => quote! {
+                    let before = ::std::mem::replace(&mut self.state.#field, #field);
+                    #(self.state.#caches = ::std::sync::OnceLock::new();)*
+                    if let ::std::result::Result::Err(error) = self.state.check_sets() {
+                        let #field = before;
+                        { use #krate::__private as rt; #updates }
+                        self.state.#field = #field;
+                        #(self.state.#caches = ::std::sync::OnceLock::new();)*
+                        return ::std::result::Result::Err(error);
+                    }
+                },
+            };
             let body = quote! {
                 let #field = #value;
                 {
@@ -48,8 +65,7 @@ impl Context<'_> {
                     #check
                 }
                 { use #krate::__private as rt; #updates }
-                self.state.#field = #field;
-                #(self.state.#caches = ::std::sync::OnceLock::new();)*
+                #set
                 ::std::result::Result::Ok(())
             };
             let text = docs::setter(&input.name);

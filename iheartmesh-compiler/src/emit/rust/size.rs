@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::Context;
-use crate::ir::{Input, InputId, Parameter};
+use crate::ir::{ExprId, Input, InputId, Kind, Parameter};
 use crate::types::{Atom, Dimension, Type};
 
 /// One direction of an input.
@@ -54,27 +54,29 @@ impl Context<'_> {
         let atom = Atom::Symbol(name.to_owned());
         self.values()
             .any(|(id, input)| self.has_size(id, input, &atom))
-            || self.is_size_of_definition(&atom)
+            || self.is_computed_with(&atom)
     }
 
-    /// Whether a symbol occurs in the size of something that is defined.
-    fn is_size_of_definition(&self, atom: &Atom) -> bool {
+    /// Whether a size is computed from a symbol.
+    fn is_computed_with(&self, atom: &Atom) -> bool {
         let arena = &self.program().arena;
-        (0..arena.len() as u32).any(|e| match arena.kind(crate::ir::ExprId(e)) {
-            crate::ir::Kind::Size(size) => size.terms().any(|(_, atoms)| atoms.contains(atom)),
-            _ => false,
+        (0..arena.len() as u32).any(|e| {
+            let e = ExprId(e);
+            match arena.kind(e) {
+                Kind::Size(size) => size.atoms().any(|other| other == atom),
+                Kind::Fold { .. } | Kind::Tabulate { .. } => {
+                    let mut found = false;
+                    arena.ty(e).atoms(&mut |other| found |= other == atom);
+                    found
+                }
+                _ => false,
+            }
         })
     }
 
-    /// The symbol that a parameter is the value of, where nothing else that is handed in has this size.
-    fn own_symbol(&self, id: InputId, input: &Input) -> Option<Atom> {
-        let atom = Atom::Symbol(input.name.clone());
-        let others = || {
-            self.values()
-                .any(|(other, input)| other != id && self.has_size(other, input, &atom))
-        };
-        let own = input.ty == Type::INTEGER && self.is_size_of_definition(&atom) && !others();
-        own.then_some(atom)
+    /// Whether a symbol of a size has a value in `sizes`.
+    pub(super) fn is_stored_size(&self, name: &str) -> bool {
+        self.is_size(name) && self.size_source(&Atom::Symbol(name.to_owned())).is_some()
     }
 
     /// Whether a symbol occurs in a size of an input.
@@ -99,11 +101,26 @@ impl Context<'_> {
                     (rows, quote!(rt::Array::rows(#name) as i64)),
                     (columns, quote!(rt::Array::columns(#name) as i64)),
                 ],
-                Type::Sequence { length, .. } => vec![(length, quote!(#name.len() as i64))],
+                Type::Sequence { item, length, .. } => {
+                    let mut axes = vec![(length, quote!(#name.len() as i64))];
+                    // all items have the size of the first one
+                    let first = |size| quote!(#name.first().map_or(0, |item| #size as i64));
+                    match &**item {
+                        Type::Vector { length, .. } => {
+                            axes.push((length, first(quote!(rt::Array::rows(item)))));
+                        }
+                        Type::Matrix { rows, columns, .. } => {
+                            axes.push((rows, first(quote!(rt::Array::rows(item)))));
+                            axes.push((columns, first(quote!(rt::Array::columns(item)))));
+                        }
+                        _ => {}
+                    }
+                    axes
+                }
                 _ => Vec::new(),
             };
             for (dimension, size) in axes {
-                if let Some(atom) = dimension.as_atom()
+                if let Some(atom @ (Atom::Symbol(_) | Atom::Length(_))) = dimension.as_atom()
                     && !self.has_source(atom)
                 {
                     sizes.entry(atom.clone()).or_insert(quote!((#size)));
@@ -113,70 +130,13 @@ impl Context<'_> {
         sizes
     }
 
-    /// Checks that arguments of a method have the sizes that their types say: those of the program, and each size of the
-    /// function alike wherever it stands. Arguments are at hand under their Rust names, the sizes in `s`.
-    pub(super) fn argument_size_checks(&self, parameters: &[Parameter]) -> TokenStream {
-        let mut checks = TokenStream::new();
-        let mut own: BTreeMap<Atom, (TokenStream, String)> = BTreeMap::new();
-        for parameter in parameters {
-            let name = super::names::argument(&parameter.name);
-            let rows = quote!(rt::Array::rows(#name.as_ref()) as i64);
-            let columns = quote!(rt::Array::columns(#name.as_ref()) as i64);
-            let axes = match &parameter.ty {
-                Type::Vector { length, .. } => vec![("length", length, rows)],
-                Type::Matrix {
-                    rows: n,
-                    columns: m,
-                    ..
-                } if !parameter.ty.is_fixed() => vec![
-                    ("number of rows", n, rows),
-                    ("number of columns", m, columns),
-                ],
-                _ => Vec::new(),
-            };
-            for (what, dimension, found) in axes {
-                if parameter.ty.is_fixed() {
-                    continue;
-                }
-                if let Some(atom) = dimension.as_atom()
-                    && !self.has_source(atom)
-                    && !matches!(atom, Atom::Count(_))
-                    && !own.contains_key(atom)
-                {
-                    own.insert(atom.clone(), (found, parameter.name.clone()));
-                    continue;
-                }
-                let values = own
-                    .iter()
-                    .map(|(atom, (value, _))| (atom.clone(), quote!((#value))));
-                let Some(expected) = self.known_size(dimension, &values.collect()) else {
-                    continue;
-                };
-                let atoms = || dimension.terms().flat_map(|(_, atoms)| atoms);
-                let source = atoms().find_map(|atom| match own.get(atom) {
-                    Some((_, source)) => Some(source.clone()),
-                    None => Some(self.program().input(self.size_source(atom)?).name.clone()),
-                });
-                let (written, source) = (dimension.to_string(), source.unwrap_or_default());
-                let parameter = &parameter.name;
-                checks.extend(
-                    quote!(rt::check_size(#parameter, #what, #found, #expected, #written, #source)?;),
-                );
-            }
-        }
-        match checks.is_empty() {
-            true => checks,
-            false => quote!({ let sizes = &s.sizes; #checks }),
-        }
-    }
-
     /// Whether an input gives a symbol its value.
     pub(super) fn has_source(&self, atom: &Atom) -> bool {
         self.size_source(atom).is_some()
     }
 
     /// The input that gives a symbol its value.
-    fn size_source(&self, atom: &Atom) -> Option<InputId> {
+    pub(super) fn size_source(&self, atom: &Atom) -> Option<InputId> {
         if let Atom::Symbol(name) = atom
             && let Some((id, _)) = self.values().find(|(_, i)| {
                 i.name == *name && matches!(i.ty, Type::Scalar(crate::types::Number::Integer))
@@ -283,21 +243,30 @@ impl Context<'_> {
 
     /// The sizes that change with new values of an input: those that only it has.
     pub(super) fn size_updates(&self, id: InputId, input: &Input) -> TokenStream {
-        let own = self.own_symbol(id, input).map(|atom| {
+        let itself = self.changing_size(id, input).map(|atom| {
             let (size, field) = (self.size_field(&atom, &input.name), self.input_field(id));
             quote!(self.state.sizes.#size = #field;)
         });
         self.changing_axes(id, input)
             .map(|(field, _, found)| quote!(self.state.sizes.#field = #found;))
-            .chain(own)
+            .chain(itself)
             .collect()
+    }
+
+    /// A parameter that is a size which no other has.
+    fn changing_size(&self, id: InputId, input: &Input) -> Option<Atom> {
+        let atom = Atom::Symbol(input.name.clone());
+        let is_shared = self
+            .values()
+            .any(|(other, input)| other != id && self.has_size(other, input, &atom));
+        (input.ty == Type::INTEGER && !is_shared && self.is_computed_with(&atom)).then_some(atom)
     }
 
     /// The symbols of sizes that only an input has.
     pub(super) fn own_sizes(&self, id: InputId, input: &Input) -> BTreeSet<Atom> {
         self.changing_axes(id, input)
             .map(|(_, atom, _)| atom)
-            .chain(self.own_symbol(id, input))
+            .chain(self.changing_size(id, input))
             .collect()
     }
 
@@ -339,8 +308,12 @@ impl Context<'_> {
                 quote!(rt::check_size(#name, "value", #field, sizes.#size, #name, #holder)?;),
             );
         }
+        checks.extend(self.item_size_checks(id, again));
         let axes = self.axes(id, input);
         for (k, axis) in axes.iter().enumerate() {
+            if axis.dimension.is_ragged() {
+                continue;
+            }
             if matches!(axis.dimension.as_atom(), Some(Atom::Count(_)))
                 || axis.dimension.value().is_some() && !axis.of_items
             {
@@ -369,6 +342,11 @@ impl Context<'_> {
                 Some(first) => first.found.clone(),
                 None => self.size(&axis.dimension),
             };
+            if axis.dimension.denominator() != 1 {
+                let (above, below) = self.sum_of_terms(&axis.dimension, &|_| None);
+                let written = axis.dimension.to_string();
+                checks.extend(quote!(rt::check_quotient(#name, #above, #below, #written)?;));
+            }
             let (what, written) = (axis.what, axis.dimension.to_string());
             let source_name =
                 source.map_or(String::new(), |s| self.program().input(s).name.clone());

@@ -76,9 +76,13 @@ impl Body<'_> {
                     Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
                     _ => quote!(all),
                 };
+                let range = match self.context.program().arena.variable_type(variables[0]) {
+                    Type::Element(_) => quote!(0..(#n) as u32),
+                    _ => quote!(1..=(#n)),
+                };
                 quote!({
                     let mut all = ::std::vec::Vec::new();
-                    for #first in 1..=(#n) {
+                    for #first in #range {
                         #before
                         all.push(#value);
                     }

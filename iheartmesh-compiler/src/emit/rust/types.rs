@@ -341,7 +341,13 @@ impl Context<'_> {
             }
             terms.push(quote!(#k #(* #factors)*));
         }
-        Some(quote!((0i64 #(+ #terms)*)))
+        Some(match dimension.denominator() {
+            1 => quote!((0i64 #(+ #terms)*)),
+            n => {
+                let n = proc_macro2::Literal::i64_suffixed(n);
+                quote!(((0i64 #(+ #terms)*) / #n))
+            }
+        })
     }
 
     /// The field that holds a size.
