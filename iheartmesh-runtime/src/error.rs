@@ -54,13 +54,6 @@ pub enum Error {
         /// What it is divided by.
         below: i64,
     },
-    /// An argument of a function does not fit the others, or the parameters of the struct.
-    Argument {
-        /// The function.
-        function: String,
-        /// What is wrong.
-        error: Box<Error>,
-    },
     /// An element is not in the set that it is declared to be in.
     NotMember {
         /// The function; empty for a parameter of the struct.
@@ -152,7 +145,6 @@ impl fmt::Display for Error {
                 f,
                 "a size of `{parameter}` is `{written}`, but {above}/{below} is not an integer"
             ),
-            Error::Argument { function, error } => write!(f, "argument of `{function}`: {error}"),
             Error::NotMember {
                 function,
                 parameter,

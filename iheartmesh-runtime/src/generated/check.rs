@@ -252,14 +252,6 @@ pub fn check_quotient_size(
     check_size(parameter, what, found, above / below, written, source)
 }
 
-/// What is wrong with an argument of a function.
-pub fn of_function(function: &str, check: Result<(), Error>) -> Result<(), Error> {
-    check.map_err(|error| Error::Argument {
-        function: function.to_owned(),
-        error: Box::new(error),
-    })
-}
-
 /// The error of a call that has no value.
 #[cold]
 pub fn undefined(function: &str, arguments: &[&dyn fmt::Display], fault: Fault) -> Error {

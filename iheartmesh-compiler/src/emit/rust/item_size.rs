@@ -198,12 +198,9 @@ impl Context<'_> {
                 let second = parameter.name.as_str();
                 let first = *letters.entry(length.clone()).or_insert(second);
                 if first != second {
-                    let (other, function) = (names::argument(first), &function.name);
+                    let other = names::argument(first);
                     checks.extend(quote! {
-                        rt::of_function(
-                            #function,
-                            rt::check_same_length(#first, #other.as_ref().len(), #second, #name.as_ref().len()),
-                        )?;
+                        rt::check_same_length(#first, #other.as_ref().len(), #second, #name.as_ref().len())?;
                     });
                 }
             }
@@ -211,7 +208,7 @@ impl Context<'_> {
                 true => quote!(#name.as_ref()),
                 false => quote!(&#name),
             };
-            let of = (function.name.as_str(), parameter.name.as_str());
+            let of = parameter.name.as_str();
             match &parameter.ty {
                 Type::Sequence { item, .. } => {
                     self.items_check(of, item, &value, &mut known, &mut checks);
@@ -224,7 +221,7 @@ impl Context<'_> {
 
     fn argument_check(
         &self,
-        (function, parameter): (&str, &str),
+        parameter: &str,
         ty: &Type,
         value: &TokenStream,
         known: &mut BTreeMap<Atom, (proc_macro2::Ident, String)>,
@@ -234,12 +231,12 @@ impl Context<'_> {
             for (k, item) in items.iter().enumerate() {
                 let k = proc_macro2::Literal::usize_unsuffixed(k);
                 let value = quote!(&(#value).#k);
-                self.argument_check((function, parameter), item, &value, known, checks);
+                self.argument_check(parameter, item, &value, known, checks);
             }
             return;
         }
         for (axis, (what, size)) in sizes(ty).into_iter().enumerate() {
-            if size.value().is_some() {
+            if ty.is_fixed() {
                 continue;
             }
             let found = found(axis, value);
@@ -257,14 +254,14 @@ impl Context<'_> {
             };
             let written = size.to_string();
             checks.extend(quote! {
-                rt::of_function(#function, rt::check_quotient_size(#parameter, #what, #found, (#wanted, #n), #written, #source))?;
+                rt::check_quotient_size(#parameter, #what, #found, (#wanted, #n), #written, #source)?;
             });
         }
     }
 
     fn items_check(
         &self,
-        (function, parameter): (&str, &str),
+        parameter: &str,
         item: &Type,
         value: &TokenStream,
         known: &mut BTreeMap<Atom, (proc_macro2::Ident, String)>,
@@ -284,7 +281,7 @@ impl Context<'_> {
                 checks.extend(quote! {{
                     let #field = &s.#field;
                     for (k, item) in #value.iter().enumerate() {
-                        rt::of_function(#function, rt::check_item_size(#parameter, k, #what, #found, (#wanted, #n), #written, #source))?;
+                        rt::check_item_size(#parameter, k, #what, #found, (#wanted, #n), #written, #source)?;
                     }
                 }});
             }
@@ -305,7 +302,7 @@ impl Context<'_> {
             let written = size.to_string();
             checks.extend(quote! {
                 for item in #value.iter() {
-                    rt::of_function(#function, rt::check_quotient_size(#parameter, #what, #found, (#wanted, #n), #written, #source))?;
+                    rt::check_quotient_size(#parameter, #what, #found, (#wanted, #n), #written, #source)?;
                 }
             });
         }
