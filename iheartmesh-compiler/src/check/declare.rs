@@ -5,9 +5,7 @@ use super::scope::Found;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Input, InputId, Kind, MeshInput};
 use crate::resolve::ModuleId;
-use crate::syntax::ast::{
-    self, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind,
-};
+use crate::syntax::ast::{self, Declaration, Expr, ExprKind, ItemKind, Relation, TypeKind};
 use crate::types::{Atom, Dimension, MeshId, Type};
 
 /// A declared type with the set that its value must be a member or a part of.
@@ -94,16 +92,9 @@ impl Checker<'_> {
             );
             return None;
         }
-        let mut declared = self.in_module(ModuleId(0), |checker| {
+        let declared = self.in_module(ModuleId(0), |checker| {
             checker.declared(declaration, place.2)
         });
-        if declared.within.is_some() && matches!(declared.ty, Type::Sequence { .. }) {
-            self.unsupported(
-                declaration.span,
-                "sequences of elements as parameters of a module are",
-            );
-            declared = Declared::plain(Type::Error);
-        }
         self.declare_input(place, declaration, declared);
         self.inputs.get(&place).copied()
     }
