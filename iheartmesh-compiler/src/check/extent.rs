@@ -291,7 +291,8 @@ impl Checker<'_> {
         self.sized(span, matrix, 0, (&columns, size))
     }
 
-    /// All rows of blocks must have as many columns: compared at run time where this is not known before.
+    /// All rows of blocks must have as many columns: compared at run time where this is not known before. Blocks that stand
+    /// below each other are compared one by one where the matrix is put together.
     pub(super) fn agreeing_rows(
         &mut self,
         rows: &[Vec<Expr>],
@@ -303,7 +304,7 @@ impl Checker<'_> {
             widths.iter().try_fold(zero, |sum, width| sum.add(width))
         };
         for r in 1..blocks.len() {
-            if total(&widths[r]) == total(&widths[0]) {
+            if total(&widths[r]) == total(&widths[0]) || blocks[r].len() == blocks[0].len() {
                 continue;
             }
             let (Some(first), Some(own)) = (self.columns(&blocks[0]), self.columns(&blocks[r]))
