@@ -530,6 +530,59 @@ Ascii, PlainAscii = r##"y = sum_(i = 1)^n x_i^2 + `norm`
 where
 x \in RR^n"##;
 
+Integral, PlainIntegral = r##"y = int_[0, 1] t^2 𝕕t"##;
+
+IntegralBounds, PlainIntegralBounds = r##"y = ∫_0^1 a t^2 𝕕t
+where
+a ∈ ℝ"##;
+
+MeanNormalCurvature, PlainMeanNormalCurvature = r##"`H(p)` = 1/(2π)int_[0, 2π] `kₙ`(φ, p) 𝕕φ
+where
+p ∈ ℝ^3 : point on the surface
+`kₙ` ∈ ℝ,ℝ^3 → ℝ : normal curvature"##;
+
+Argmin, PlainArgmin = r##"y = argmin_(x ∈ ℝ) (x - a)^2
+where
+a ∈ ℝ"##;
+
+Rigid, PlainRigid = r##"min_(C ∈ ℝ^3) ∑_i ‖x_i + (R_i - I_3)C‖²
+where
+x_i ∈ ℝ^3
+R_i ∈ ℝ^(3×3)"##;
+
+RigidArgument, PlainRigidArgument = r##"C = argmin_(C ∈ ℝ^3) ∑_i ‖x_i + (R_i - I_3)C‖²
+where
+x_i ∈ ℝ^3
+R_i ∈ ℝ^(3×3)"##;
+
+LeastSquares, PlainLeastSquares = r##"`x̂` = argmin_(x ∈ ℝ^n) ‖A x - b‖² 
+where
+A ∈ ℝ^(m×n)
+b ∈ ℝ^m"##;
+
+Laplacian, PlainLaplacian = r##"L_i,j = { w_i,j if (i,j) ∈ E
+          0 otherwise
+L_i,i = -∑_(l for l ≠ i) L_i,l
+where
+w ∈ ℝ^(n×n): edge weight matrix
+E ∈ {ℤ×ℤ} index: edges
+n ∈ ℤ
+L ∈ ℝ^(n×n)"##;
+
+SparsePairs, PlainSparsePairs = r##"P ∈ {ℤ×ℤ} : index pairs
+n ∈ ℤ
+K ∈ ℝ^(n×n)
+d_i ∈ ℝ
+K_ij = { d_i + d_j if (i,j) ∈ P
+         0 otherwise
+K_ii = -∑_(j for j != i) K_ij"##;
+
+SparseOnes, PlainSparseOnes = r##"A_ij = { 1 if (i,j) ∈ P
+         0 otherwise
+where
+P ∈ {ℤ×ℤ}
+A ∈ ℝ^(4×4)"##;
+
 ExpressionSizes, PlainExpressionSizes = r##"y = A b
 where
 A ∈ ℝ^((n+1)×n)
@@ -616,6 +669,17 @@ u, v = tuple(∑_(i ∈ S) w_i, |S|)
 odd = { k+1 for k ∈ S if k > 2 and k < 9 }
 Q = (S ∪ odd) \ S"##;
 
+SingleEntries, PlainSingleEntries = r##"y_1 = a
+y_2 = b
+y ∈ ℝ^3
+where
+a,b ∈ ℝ"##;
+
+AddTo, PlainAddTo = r##"y_i = x_i
+y_i += 2x_i
+where
+x ∈ ℝ^n"##;
+
 EntriesOfRow, PlainEntriesOfRow = r##"P_i,* = x_i
 where
 x_i ∈ ℝ^3"##;
@@ -627,6 +691,16 @@ x_i ∈ ℝ^3"##;
 TripleSum, PlainTripleSum = r##"y = ∑_i ∑_j ∑_k A_ij B_jk C_ki
 where
 A,B,C ∈ ℝ^(3×3)"##;
+
+Constrained, PlainConstrained = r##"y = min_(x ∈ ℝ^2) ‖x‖² s.t. x_1 ≥ 1"##;
+
+Simplex, PlainSimplex = r##"y = argmin_(x ∈ ℝ^n) xᵀ A x + bᵀ x
+s.t.
+x ≥ 0
+∑_i x_i = 1
+where
+A ∈ ℝ^(n×n)
+b ∈ ℝ^n"##;
 
 UnitVectors, PlainUnitVectors = r##"n(u) = u/‖u‖ where u ∈ ℝ^3
 y = n(a) × n(b)
@@ -707,6 +781,16 @@ InfinityPiece, PlainInfinityPiece = r##"y = { ∞ if a > 10
  ln(a) otherwise
 where
 a ∈ ℝ"##;
+
+IndexSetAttribute, PlainIndexSetAttribute = r##"y = ∑_(i ∈ S) x_i
+where
+S ∈ {ℤ} index
+x ∈ ℝ^n"##;
+
+IndexParameter, PlainIndexParameter = r##"y = x_k
+where
+k ∈ ℤ index
+x ∈ ℝ^n"##;
 
 IntegerParameter, PlainIntegerParameter = r##"y = x_k
 where
@@ -997,6 +1081,10 @@ where
 S ∈ {ℤ}
 x ∈ ℝ^n"##;
 
+MatrixByScalarFunction, PlainMatrixByScalarFunction = r##"A_ij = f(i, j)
+f(i,j) = i + 10j where i,j ∈ ℤ
+A ∈ ℝ^(2×3)"##;
+
 DiagonalThenEntries, PlainDiagonalThenEntries = r##"y_i = A_ii
 where
 A ∈ ℝ^(n×n)"##;
@@ -1158,6 +1246,35 @@ MinOfExpression, PlainMinOfExpression = r##"y = min({‖x_i‖ for i ∈ S})
 where
 S ∈ {ℤ}
 x_i ∈ ℝ^3"##;
+
+ArgminSet, PlainArgminSet = r##"y = argmin_(i ∈ S) x_i
+where
+S ∈ {ℤ}
+x ∈ ℝ^n"##;
+
+MaxBox, PlainMaxBox = r##"y = max_(x ∈ ℝ) x (1 - x) s.t. x ≥ 0; x ≤ 1"##;
+
+Rosenbrock, PlainRosenbrock = r##"y = argmin_(x ∈ ℝ^2) (1 - x_1)² + 100(x_2 - x_1²)²"##;
+
+TwoVariables, PlainTwoVariables = r##"y = min_(a ∈ ℝ, b ∈ ℝ) (a - 1)² + (b + 2)² + 3"##;
+
+SineIntegral, PlainSineIntegral = r##"sin from trigonometry
+y = ∫_[0, π] sin(t) 𝕕t"##;
+
+NestedIntegral, PlainNestedIntegral = r##"y = ∫_0^1 ∫_0^2 s t 𝕕s 𝕕t"##;
+
+IntegralExpression, PlainIntegralExpression = r##"sin from trigonometry
+y = 2 ∫_a^b t^2 + 1 𝕕t
+where
+a,b ∈ ℝ"##;
+
+SparseDeclaredRows, PlainSparseDeclaredRows = r##"A ∈ ℝ^(n×n)
+n ∈ ℤ
+A_ij = { 1 if i = j
+         0.5 if (i,j) ∈ P
+P ∈ {ℤ×ℤ}
+y = A x
+x ∈ ℝ^n"##;
 
 }
 
@@ -1757,6 +1874,66 @@ fn ascii() {
 }
 
 #[test]
+fn integral() {
+    let module = Integral::new().unwrap();
+    check("y", &module.y(), &[0.3333333333333333]);
+}
+
+#[test]
+fn integral_bounds() {
+    let module = IntegralBounds::new(1.5_f64).unwrap();
+    check("y", &module.y(), &[0.5]);
+}
+
+#[test]
+fn mean_normal_curvature() {
+    let module = MeanNormalCurvature::new(DVec3::new(-1.198, -0.522, -1.985), |t: f64, p: DVec3| t.cos().powi(2) * p.x + t.sin().powi(2) * p.y).unwrap();
+    check("H_p", &module.H_p(), &[-0.86]);
+}
+
+#[test]
+fn argmin() {
+    let module = Argmin::new(1.5_f64).unwrap();
+    check("y", &module.y(), &[1.5]);
+}
+
+#[test]
+fn rigid() {
+    let module = Rigid::new(vec![DVec3::new(-0.353, 1.691, -1.725), DVec3::new(-0.28, 0.078, 1.804), DVec3::new(-0.996, 1.224, 0.706), DVec3::new(0.868, 0.518, 1.886)], vec![DMat3::from_cols_array(&[1.972, 1.301, -1.633, -1.408, 1.682, 1.951, 0.851, -1.506, -1.533]), DMat3::from_cols_array(&[-1.293, 1.002, -1.131, 0.3, -1.238, 1.076, -0.215, 1.658, -1.73]), DMat3::from_cols_array(&[-0.106, -0.751, -1.773, -1.87, 0.879, 1.981, -0.745, -0.18, 1.555]), DMat3::from_cols_array(&[1.665, -1.091, 0.013, -1.014, -1.5, -1.507, -0.424, -1.868, -1.295])]).unwrap();
+    check("ret", &module.ret(), &[13.131657469547504]);
+}
+
+#[test]
+fn rigid_argument() {
+    let module = RigidArgument::new(vec![DVec3::new(-0.353, 1.691, -1.725), DVec3::new(-0.28, 0.078, 1.804), DVec3::new(-0.996, 1.224, 0.706), DVec3::new(0.868, 0.518, 1.886)], vec![DMat3::from_cols_array(&[1.972, 1.301, -1.633, -1.408, 1.682, 1.951, 0.851, -1.506, -1.533]), DMat3::from_cols_array(&[-1.293, 1.002, -1.131, 0.3, -1.238, 1.076, -0.215, 1.658, -1.73]), DMat3::from_cols_array(&[-0.106, -0.751, -1.773, -1.87, 0.879, 1.981, -0.745, -0.18, 1.555]), DMat3::from_cols_array(&[1.665, -1.091, 0.013, -1.014, -1.5, -1.507, -0.424, -1.868, -1.295])]).unwrap();
+    check("C", &module.C(), &[-0.30094175702969866, 0.02849933837988866, 0.37429130208386435]);
+}
+
+#[test]
+fn least_squares() {
+    let module = LeastSquares::new(DMatrix::<f64>::from_column_slice(5, 4, &[-0.708, -1.399, 1.265, -0.482, 1.915, 0.36, 0.42, 0.552, 0.706, -1.397, -0.239, -1.042, -0.39, -1.613, 1.871, -1.14, 0.687, -0.798, 1.496, 0.649]), DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031])).unwrap();
+    check("x̂", &module.x̂(), &[-0.3965796865097306, -7.14285445724729, -4.403790034043785, -1.473387692820929]);
+}
+
+#[test]
+fn laplacian() {
+    let module = Laplacian::new(DMatrix::<f64>::from_column_slice(4, 4, &[11.003, 3.665, 3.585, 3.262, 3.665, 7.469, 2.673, 1.743, 3.585, 2.673, 9.533, 4.463, 3.262, 1.743, 4.463, 8.6]), Set::<(i64, i64)>::from_iter([(0_i64, 1_i64), (1_i64, 2_i64), (0_i64, 3_i64), (1_i64, 0_i64)]), 4_i64).unwrap();
+    check("L", &module.L(), &[-6.927, 3.665, 0.0, 0.0, 3.665, -6.338, 0.0, 0.0, 0.0, 2.673, 0.0, 0.0, 3.262, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn sparse_pairs() {
+    let module = SparsePairs::new(Set::<(i64, i64)>::from_iter([(1_i64, 2_i64), (2_i64, 3_i64), (3_i64, 1_i64)]), 4_i64, vec![1.442_f64, -0.063_f64, -1.265_f64, 0.679_f64]).unwrap();
+    check("K", &module.K(), &[-1.379, 0.0, 0.17700000000000005, 0.0, 1.379, 1.3279999999999998, 0.0, 0.0, 0.0, -1.3279999999999998, -0.17700000000000005, 0.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn sparse_ones() {
+    let module = SparseOnes::new(Set::<(i64, i64)>::from_iter([(1_i64, 2_i64), (3_i64, 3_i64)])).unwrap();
+    check("A", &module.A(), &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
 fn expression_sizes() {
     let module = ExpressionSizes::new(DMatrix::<f64>::from_column_slice(4, 3, &[-0.708, -1.399, 1.265, -0.482, 0.36, 0.42, 0.552, 0.706, -0.239, -1.042, -0.39, -1.613]), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])).unwrap();
     check("y", &module.y(), &[1.134679, 3.525132, -1.0294639999999997, 3.410709]);
@@ -1859,6 +2036,18 @@ fn mixed_program() {
 }
 
 #[test]
+fn single_entries() {
+    let module = SingleEntries::new(1.5_f64, -0.75_f64).unwrap();
+    check("y", &module.y(), &[1.5, -0.75, 0.0]);
+}
+
+#[test]
+fn add_to() {
+    let module = AddTo::new(DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031])).unwrap();
+    check("y", &module.y(), &[1.677, 2.901, -4.901999999999999, 0.495, 0.093]);
+}
+
+#[test]
 fn entries_of_row() {
     let module = EntriesOfRow::new(vec![DVec3::new(-0.353, 1.691, -1.725), DVec3::new(-0.28, 0.078, 1.804), DVec3::new(-0.996, 1.224, 0.706), DVec3::new(0.868, 0.518, 1.886)]).unwrap();
     check("P", &module.P(), &[-0.353, -0.28, -0.996, 0.868, 1.691, 0.078, 1.224, 0.518, -1.725, 1.804, 0.706, 1.886]);
@@ -1874,6 +2063,18 @@ fn entries_of_column() {
 fn triple_sum() {
     let module = TripleSum::new(DMat3::from_cols_array(&[0.5, -1.099, -1.979, 1.589, -0.799, 1.285, 1.103, 1.494, 1.188]), DMat3::from_cols_array(&[-0.128, -0.981, 0.214, -0.788, -0.22, 1.982, -0.886, 0.018, 1.171]), DMat3::from_cols_array(&[0.489, -1.359, -1.857, 1.956, 0.45, 0.06, -1.139, -1.824, -0.135])).unwrap();
     check("y", &module.y(), &[-6.063599513000001]);
+}
+
+#[test]
+fn constrained() {
+    let module = Constrained::new().unwrap();
+    check("y", &module.y(), &[1.0]);
+}
+
+#[test]
+fn simplex() {
+    let module = Simplex::new(DMatrix::<f64>::from_column_slice(4, 4, &[11.003, -3.665, 3.585, 3.262, -3.665, 7.469, -2.673, -1.743, 3.585, -2.673, 9.533, 4.463, 3.262, -1.743, 4.463, 8.6]), DVector::<f64>::from_column_slice(&[-1.596, -0.478, -1.465, 0.65])).unwrap();
+    check("y", &module.y(), &[0.27847869315768986, 0.46233934243352903, 0.25918196440878094, 4.5407318719934905e-18]);
 }
 
 #[test]
@@ -1975,6 +2176,18 @@ fn double_sum_weights() {
 fn infinity_piece() {
     let module = InfinityPiece::new(1.5_f64).unwrap();
     check("y", &module.y(), &[0.4054651081081644]);
+}
+
+#[test]
+fn index_set_attribute() {
+    let module = IndexSetAttribute::new(Set::<i64>::from_iter([0_i64, 2_i64]), DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031])).unwrap();
+    check("y", &module.y(), &[-1.0749999999999997]);
+}
+
+#[test]
+fn index_parameter() {
+    let module = IndexParameter::new(2_i64, DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031])).unwrap();
+    check("y", &module.y(), &[-1.634]);
 }
 
 #[test]
@@ -2354,6 +2567,12 @@ fn sum_with_condition_set() {
 }
 
 #[test]
+fn matrix_by_scalar_function() {
+    let module = MatrixByScalarFunction::new().unwrap();
+    check("A", &module.A(), &[11.0, 12.0, 21.0, 22.0, 31.0, 32.0]);
+}
+
+#[test]
 fn diagonal_then_entries() {
     let module = DiagonalThenEntries::new(DMatrix::<f64>::from_column_slice(4, 4, &[11.003, -3.665, 3.585, 3.262, -3.665, 7.469, -2.673, -1.743, 3.585, -2.673, 9.533, 4.463, 3.262, -1.743, 4.463, 8.6])).unwrap();
     check("y", &module.y(), &[11.003, 7.469, 9.533, 8.6]);
@@ -2553,6 +2772,54 @@ fn sequence_of_sequences() {
 fn min_of_expression() {
     let module = MinOfExpression::new(Set::<i64>::from_iter([1_i64, 2_i64, 3_i64, 4_i64]), vec![DVec3::new(-0.353, 1.691, -1.725), DVec3::new(-0.28, 0.078, 1.804), DVec3::new(-0.996, 1.224, 0.706), DVec3::new(0.868, 0.518, 1.886)]).unwrap();
     check("y", &module.y(), &[1.728764877014801]);
+}
+
+#[test]
+fn argmin_set() {
+    let module = ArgminSet::new(Set::<i64>::from_iter([1_i64, 2_i64, 3_i64, 4_i64, 5_i64]), DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031])).unwrap();
+    check("y", &module.y(), &[3.0]);
+}
+
+#[test]
+fn max_box() {
+    let module = MaxBox::new().unwrap();
+    check("y", &module.y(), &[0.25]);
+}
+
+#[test]
+fn rosenbrock() {
+    let module = Rosenbrock::new().unwrap();
+    check("y", &module.y(), &[1.0, 1.0]);
+}
+
+#[test]
+fn two_variables() {
+    let module = TwoVariables::new().unwrap();
+    check("y", &module.y(), &[3.0]);
+}
+
+#[test]
+fn sine_integral() {
+    let module = SineIntegral::new().unwrap();
+    check("y", &module.y(), &[2.0]);
+}
+
+#[test]
+fn nested_integral() {
+    let module = NestedIntegral::new().unwrap();
+    check("y", &module.y(), &[1.0]);
+}
+
+#[test]
+fn integral_expression() {
+    let module = IntegralExpression::new(0.0_f64, 3.0_f64).unwrap();
+    check("y", &module.y(), &[24.0]);
+}
+
+#[test]
+fn sparse_declared_rows() {
+    let module = SparseDeclaredRows::new(3_i64, Set::<(i64, i64)>::from_iter([(1_i64, 2_i64)]), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])).unwrap();
+    check("y", &module.y(), &[-1.459, -0.522, -1.985]);
 }
 
 }
