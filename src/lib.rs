@@ -38,7 +38,8 @@
 //! definition is a method. The documentation of [`iheartmesh!`] tells how a call is written, how modules import each
 //! other, and what errors look like.
 //!
-//! What generated code runs on is here too, and is useful by itself: meshes such as [`FaceMesh`], the handles of their
+//! What generated code runs on is here too, and is useful by itself: the meshes [`FaceMesh`],
+//! [`CellMesh`] and [`EdgeMesh`], the handles of their
 //! elements ([`Vertex`], [`Edge`], [`Face`], [`Cell`]) and sets of them ([`Set`]).
 
 pub use iheartmesh_neighborhoods as neighborhoods;

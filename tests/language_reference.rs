@@ -53,16 +53,31 @@ fn formatting() {
 fn neighborhoods() {
     check("docs/neighborhoods.md");
     let page = fs::read_to_string(root().join("docs/neighborhoods.md")).unwrap();
-    let library = root().join("neighborhoods/src/Neighborhoods.hlang");
-    for line in fs::read_to_string(library).unwrap().lines() {
-        let name = line.split(|c: char| !c.is_alphanumeric()).next().unwrap();
-        // one-letter names are meshes, element sets and matrices
-        let defined =
-            name.len() > 1 && line[name.len()..].starts_with(['(', ' ']) && line.contains(" = ");
-        assert!(
-            !defined || page.contains(&format!("`{name}")),
-            "`{name}` is not on the page"
-        );
+    let modules = [
+        "Neighborhoods",
+        "TetrahedronNeighborhoods",
+        "PointCloudNeighborhoods",
+    ];
+    let sections = [
+        "\n## Cell meshes",
+        "\n## Edge meshes",
+        "\n## Neighbourhoods of",
+    ];
+    let [cells, edges, end] = sections.map(|title| page.find(title).unwrap());
+    let parts = [&page[..cells], &page[cells..edges], &page[edges..end]];
+    for (module, part) in modules.iter().zip(parts) {
+        let library = root().join(format!("neighborhoods/src/{module}.hlang"));
+        for line in fs::read_to_string(library).unwrap().lines() {
+            let name = line.split(|c: char| !c.is_alphanumeric()).next().unwrap();
+            // one-letter names are meshes, element sets and matrices
+            let defined = name.len() > 1
+                && line[name.len()..].starts_with(['(', ' '])
+                && line.contains(" = ");
+            assert!(
+                !defined || part.contains(&format!("`{name}")),
+                "`{name}` of {module} is not on the page"
+            );
+        }
     }
 }
 

@@ -7,8 +7,9 @@ mod support;
 use iheartmesh::neighborhoods::Neighborhoods;
 use iheartmesh::{CellularSet, Edge, Error, Face, FaceMesh, Set, Vertex, io};
 
+use support::random::Random;
 use support::reference_mesh::ReferenceMesh;
-use support::soups::{Ids, Random, Soup, by_property, random};
+use support::soups::{Ids, Soup, by_property, random};
 
 both_ways! {
     Program, PlainProgram = "tests/programs/neighborhoods.hlang";
@@ -20,42 +21,6 @@ struct Ways<'a> {
     rust: Neighborhoods<'a>,
     program: Program<'a>,
     plain: PlainProgram<'a>,
-}
-
-/// Whether all results are what is expected: these numbers, or, for `None`, no value.
-fn check(call: &str, expected: Option<Vec<u32>>, results: [Result<Vec<u32>, Error>; 3]) {
-    for (way, result) in ["as a method", "in a program", "not optimised"]
-        .iter()
-        .zip(results)
-    {
-        match (&expected, result) {
-            (Some(expected), Ok(found)) => assert_eq!(&found, expected, "{call}, {way}"),
-            (None, Err(Error::Undefined { .. })) => {}
-            (expected, result) => panic!("{call}, {way}: {result:?} instead of {expected:?}"),
-        }
-    }
-}
-
-/// Compares one function: its names as a method and in the program, its arguments, and the expected numbers.
-macro_rules! check {
-    ($ways:expr, $method:ident, $function:ident($($argument:expr),*), $expected:expr) => {
-        check!($ways, $method($($argument),*), $function($($argument),*), $expected)
-    };
-    ($ways:expr, $method:ident($($one:expr),*), $function:ident($($argument:expr),*), $expected:expr) => {{
-        let ways = &$ways;
-        let call = format!(
-            "{}: {}{:?}",
-            ways.soup.name,
-            stringify!($method),
-            ($(&$argument,)*)
-        );
-        let results = [
-            ways.rust.$method($($one),*).map(|x| x.ids()),
-            ways.program.$function($($argument),*).map(|x| x.ids()),
-            ways.plain.$function($($argument),*).map(|x| x.ids()),
-        ];
-        check(&call, $expected, results);
-    }};
 }
 
 fn vertices(ids: &[u32]) -> Set<Vertex> {
@@ -110,7 +75,7 @@ impl<'a> Ways<'a> {
         check!(self, try_Vertices, try_ve(handle), Some(vec![i, j]));
         check!(self, try_Edges, try_ee(handle), Some(vec![e]));
         check!(self, try_Faces, try_fe(handle), Some(around.clone()));
-        let diamond = [vec![2, i, j, 1, e, around.len() as u32], around].concat();
+        let diamond = [vec![2, i, j, 1, e, around.len() as u32], around, vec![0]].concat();
         check!(self, try_Diamond, try_diamond(handle), Some(diamond));
         let opposite = soup.sides_of(i, j);
         check!(
@@ -211,14 +176,14 @@ impl<'a> Ways<'a> {
             aliases(&|| self.rust.try_NextVerticeInFace(face, vertex)),
             self.program.try_around(face, vertex).map(|x| x.0.ids()),
         ];
-        check("NextVertexInFace", next.clone(), names);
+        support::ways::check("NextVertexInFace", next.clone(), names);
         let twice = next.map(|v| [v.clone(), v].concat());
         let pair = |x: Result<(Vertex, Vertex), Error>| x.map(|x| x.ids());
         let (a, b) = (
             self.program.try_around(face, vertex),
             self.plain.try_around(face, vertex),
         );
-        check("both names", twice, [pair(a.clone()), pair(a), pair(b)]);
+        support::ways::check("both names", twice, [pair(a.clone()), pair(a), pair(b)]);
     }
 
     fn triple(&self, [i, j, k]: [u32; 3]) {

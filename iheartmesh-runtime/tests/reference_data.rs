@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use iheartmesh_runtime::io::{self, MeshFile};
-use iheartmesh_runtime::{BoundaryMatrix, FaceMesh, Vertex};
+use iheartmesh_runtime::{BoundaryMatrix, EdgeMesh, FaceMesh, Vertex};
 
 fn reference_set() -> Option<PathBuf> {
     locate::reference_set(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
@@ -277,5 +277,34 @@ fn meshes_of_this_repository() {
             .map(|f| corner(f, 0).dot(corner(f, 1).cross(corner(f, 2))) / 6.0)
             .sum();
         assert!(volume > 0.0, "{name}");
+    }
+}
+
+/// Neighbours of points, against graphs that other libraries computed.
+#[test]
+fn point_clouds_of_the_reference_set() {
+    let Some(directory) = reference_set() else {
+        return;
+    };
+    let file = io::read(directory.join("meshes/spot_noisy_points.ply")).unwrap();
+    let reference = directory.join("ref/spot_noisy_points");
+    let summary = fs::read_to_string(reference.join("summary.json")).unwrap();
+    let radius: f64 = field(&summary, "r").parse().unwrap();
+    for (name, mesh) in [
+        ("knn6", EdgeMesh::from_k_nearest(&file.positions, 6)),
+        ("knn10", EdgeMesh::from_k_nearest(&file.positions, 10)),
+        ("radius", EdgeMesh::from_radius(&file.positions, radius)),
+    ] {
+        let mesh = mesh.unwrap();
+        let text = fs::read_to_string(reference.join(format!("{name}_edges.csv"))).unwrap();
+        let edges = mesh.edges().map(|edge| {
+            let [tail, head] = mesh.edge_vertices(edge).map(Vertex::id);
+            format!("{tail},{head}")
+        });
+        let mut expected: Vec<&str> = text.lines().skip(1).collect();
+        expected.sort_by_key(|line| -> Vec<u32> {
+            line.split(',').map(|id| id.parse().unwrap()).collect()
+        });
+        assert_eq!(edges.collect::<Vec<_>>(), expected, "{name}");
     }
 }

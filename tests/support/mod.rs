@@ -1,10 +1,15 @@
 //! What several tests share.
 
+pub mod cellular;
 pub mod fields;
 pub mod json;
+pub mod random;
 pub mod reference_mesh;
 pub mod reference_set;
+pub mod solids;
 pub mod soups;
+#[macro_use]
+pub mod ways;
 
 use std::path::{Path, PathBuf};
 

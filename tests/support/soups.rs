@@ -1,7 +1,9 @@
 //! Meshes by what is special about them, as lists of faces, and what their neighbourhoods are by slow and obvious
 //! definitions.
 
-use iheartmesh::{CellularSet, Edge, Face, FaceMesh, Set, Vertex};
+use iheartmesh::{Cell, CellularSet, Edge, Face, FaceMesh, Set, Vertex};
+
+use super::random::Random;
 
 /// The faces of a mesh, and its edges by the numbering that all meshes have.
 pub struct Soup {
@@ -176,26 +178,6 @@ fn without(ids: Vec<u32>, others: &[u32]) -> Vec<u32> {
     ids.into_iter().filter(|v| !others.contains(v)).collect()
 }
 
-/// A small deterministic generator (PCG), so that a failing case can be run again.
-pub struct Random(pub u64);
-
-impl Random {
-    /// A number below `n`.
-    pub fn below(&mut self, n: u32) -> u32 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        let xorshifted = (((self.0 >> 18) ^ self.0) >> 27) as u32;
-        xorshifted.rotate_right((self.0 >> 59) as u32) % n
-    }
-
-    /// Some of the numbers below `n`, ascending: about one of `one_of`.
-    pub fn subset(&mut self, n: u32, one_of: u32) -> Vec<u32> {
-        (0..n).filter(|_| self.below(one_of) == 0).collect()
-    }
-}
-
 /// Small meshes, each with something special.
 pub fn by_property() -> Vec<Soup> {
     let moebius: Vec<Vec<u32>> = (0..5).map(|i| vec![i, (i + 1) % 5, (i + 2) % 5]).collect();
@@ -275,7 +257,7 @@ macro_rules! elements {
     )*};
 }
 
-elements!(Vertex, Edge, Face);
+elements!(Vertex, Edge, Face, Cell);
 
 impl<A: Ids, B: Ids> Ids for (A, B) {
     fn ids(&self) -> Vec<u32> {
@@ -289,11 +271,21 @@ impl<A: Ids, B: Ids, C: Ids> Ids for (A, B, C) {
     }
 }
 
+impl<A: Ids, B: Ids, C: Ids, D: Ids> Ids for (A, B, C, D) {
+    fn ids(&self) -> Vec<u32> {
+        [self.0.ids(), self.1.ids(), self.2.ids(), self.3.ids()].concat()
+    }
+}
+
 impl Ids for CellularSet {
     fn ids(&self) -> Vec<u32> {
-        assert!(self.cells.is_empty());
         // the sizes keep the sets apart
-        let parts = [self.vertices.ids(), self.edges.ids(), self.faces.ids()];
+        let parts = [
+            self.vertices.ids(),
+            self.edges.ids(),
+            self.faces.ids(),
+            self.cells.ids(),
+        ];
         parts
             .into_iter()
             .flat_map(|part| [vec![part.len() as u32], part].concat())

@@ -24,7 +24,7 @@ pub enum MeshError {
         /// Number of vertices of the mesh.
         n_vertices: usize,
     },
-    /// An element has fewer vertices than its kind needs: a face has at least three.
+    /// An element has fewer vertices than its kind needs: a face and a side of a cell have at least three.
     TooFewCorners {
         /// Kind of the element.
         kind: ElementKind,
@@ -51,7 +51,7 @@ pub enum MeshError {
         /// How many there may be.
         maximum: usize,
     },
-    /// The faces have more corners in total than can be indexed.
+    /// The faces, or the sides of the cells, have more corners in total than can be indexed.
     TooManyCorners {
         /// How many there are at least.
         count: usize,
@@ -95,6 +95,13 @@ pub enum MeshError {
         /// The first such element.
         element: usize,
     },
+    /// A cell has fewer than four sides.
+    TooFewSides {
+        /// The cell.
+        cell: usize,
+        /// How many sides it has.
+        sides: usize,
+    },
     /// A cell has the same side twice.
     RepeatedFace {
         /// The cell.
@@ -134,6 +141,14 @@ impl Display for MeshError {
                  vertices are numbered from 0"
             ),
             MeshError::TooFewCorners {
+                kind: ElementKind::Cell,
+                element,
+                corners,
+            } => write!(
+                formatter,
+                "a side of cell {element} has too few corners ({corners}); remove it or give it all its vertices"
+            ),
+            MeshError::TooFewCorners {
                 kind,
                 element,
                 corners,
@@ -160,7 +175,7 @@ impl Display for MeshError {
             ),
             MeshError::TooManyCorners { count, maximum } => write!(
                 formatter,
-                "the faces have too many corners ({count} or more): at most {maximum} can be indexed; split the mesh"
+                "faces or cells have too many corners in total ({count} or more): at most {maximum} can be indexed; split the mesh"
             ),
             MeshError::NumberOfMatrices { found } => write!(
                 formatter,
@@ -189,6 +204,10 @@ impl Display for MeshError {
                 formatter,
                 "the boundary of {kind} {element} has a boundary (the product of the two boundary matrices is not \
                  zero); check the signs of its column"
+            ),
+            MeshError::TooFewSides { cell, sides } => write!(
+                formatter,
+                "cell {cell} has too few sides ({sides}); a cell has at least four"
             ),
             MeshError::RepeatedFace { cell } => write!(
                 formatter,

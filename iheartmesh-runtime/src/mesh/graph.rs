@@ -12,7 +12,7 @@ use crate::element::ElementKind;
 /// A point of ℝ², ℝ³ or ℝ⁴.
 pub trait Point: Copy + Sync {
     /// Its coordinates.
-    type Coordinates: AsRef<[f64]> + PartialEq + Send + Sync;
+    type Coordinates: AsRef<[f64]> + AsMut<[f64]> + PartialEq + Send + Sync;
     /// How many there are.
     const DIMENSION: usize;
 
@@ -44,12 +44,42 @@ points! {
 
 type Tree<P> = KdTree<f64, u32, <P as Point>::Coordinates>;
 
+/// A power of two by which all coordinates are multiplied, so that squares of distances neither overflow nor vanish: 1 for
+/// all but extreme ones.
+fn scale<P: Point>(points: &[P]) -> f64 {
+    let greatest = points
+        .iter()
+        .map(|point| {
+            let coordinates = point.coordinates();
+            coordinates
+                .as_ref()
+                .iter()
+                .fold(0.0, |most: f64, x| most.max(x.abs()))
+        })
+        .fold(0.0, f64::max);
+    match greatest == 0.0 || !greatest.is_finite() || (1e-100..1e100).contains(&greatest) {
+        true => 1.0,
+        false => greatest
+            .log2()
+            .floor()
+            .clamp(-1000.0, 1000.0)
+            .exp2()
+            .recip(),
+    }
+}
+
+fn scaled<P: Point>(point: P, scale: f64) -> P::Coordinates {
+    let mut coordinates = point.coordinates();
+    coordinates.as_mut().iter_mut().for_each(|x| *x *= scale);
+    coordinates
+}
+
 /// The tree of all points, each with its number.
-fn tree<P: Point>(points: &[P]) -> Result<Tree<P>, MeshError> {
+fn tree<P: Point>(points: &[P], scale: f64) -> Result<Tree<P>, MeshError> {
     check_count(ElementKind::Vertex, points.len())?;
     let mut tree = KdTree::with_capacity(P::DIMENSION, 32);
     for (index, point) in points.iter().enumerate() {
-        tree.add(point.coordinates(), index as u32)
+        tree.add(scaled(*point, scale), index as u32)
             .map_err(|_| MeshError::NotFinite { point: index })?;
     }
     Ok(tree)
@@ -57,12 +87,13 @@ fn tree<P: Point>(points: &[P]) -> Result<Tree<P>, MeshError> {
 
 /// The pairs (smaller number first, maybe twice) of which one is among the `k` nearest of the other.
 pub(super) fn k_nearest<P: Point>(points: &[P], k: usize) -> Result<Vec<[u32; 2]>, MeshError> {
-    let tree = tree(points)?;
+    let scale = scale(points);
+    let tree = tree(points, scale)?;
     if k == 0 {
         return Ok(Vec::new());
     }
     let pairs_of = |index: usize| -> Vec<[u32; 2]> {
-        let point = points[index].coordinates();
+        let point = scaled(points[index], scale);
         // the point itself is among them, or as many others at distance 0
         let found = tree
             .nearest(point.as_ref(), k.saturating_add(1), &squared_euclidean)
@@ -97,9 +128,11 @@ pub(super) fn within_radius<P: Point>(
     if radius.is_nan() || radius < 0.0 {
         return Err(MeshError::InvalidRadius);
     }
-    let tree = tree(points)?;
+    let scale = scale(points);
+    let tree = tree(points, scale)?;
+    let radius = radius * scale;
     let pairs_of = |index: usize| -> Vec<[u32; 2]> {
-        let point = points[index].coordinates();
+        let point = scaled(points[index], scale);
         // a little more than the square, which may be rounded; the distance decides
         let bound = radius * radius * (1.0 + 1e-12);
         let mut pairs: Vec<[u32; 2]> = tree

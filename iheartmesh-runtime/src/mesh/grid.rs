@@ -1,5 +1,7 @@
 //! Regular grids.
 
+use super::cell::check_sizes;
+use super::edge::check_count;
 use super::{CellMesh, EdgeMesh, FaceMesh, MeshError};
 use crate::boundary::MAX_ELEMENTS;
 use crate::element::ElementKind;
@@ -48,6 +50,7 @@ impl CellMesh {
     /// [`MeshError::TooManyElements`], [`MeshError::TooManyCorners`] if 32 bits cannot number the elements.
     pub fn grid(nx: usize, ny: usize, nz: usize) -> Result<CellMesh, MeshError> {
         let n = n_vertices(&[nx, ny, nz])?;
+        check_sizes(n, nx * ny * nz, 24 * nx * ny * nz)?;
         let vertex = |i: usize, j: usize, k: usize| (i + (nx + 1) * (j + (ny + 1) * k)) as u32;
         let mut cubes = Vec::with_capacity(nx * ny * nz);
         for k in 0..nz {
@@ -79,7 +82,9 @@ impl EdgeMesh {
     pub fn grid(nx: usize, ny: usize) -> Result<EdgeMesh, MeshError> {
         let n = n_vertices(&[nx, ny])?;
         let vertex = |i: usize, j: usize| (i + (nx + 1) * j) as u32;
-        let mut edges = Vec::new();
+        let n_edges = nx * (ny + 1) + ny * (nx + 1);
+        check_count(ElementKind::Edge, n_edges)?;
+        let mut edges = Vec::with_capacity(n_edges);
         for j in 0..=ny {
             for i in 0..=nx {
                 if i < nx {

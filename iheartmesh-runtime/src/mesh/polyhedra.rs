@@ -23,7 +23,8 @@ impl CellMesh {
     ///
     /// # Errors
     /// Those of [`from_tetrahedra`](Self::from_tetrahedra), and
-    /// - [`MeshError::TooFewCorners`] if a side has fewer than three vertices, or a cell fewer than four sides;
+    /// - [`MeshError::TooFewCorners`] if a side has fewer than three vertices;
+    /// - [`MeshError::TooFewSides`] if a cell has fewer than four sides;
     /// - [`MeshError::RepeatedFace`] if a cell has a side twice;
     /// - [`MeshError::OpenCell`] if the sides of a cell do not close: each edge must be run along as often in one direction
     ///   as in the other.
@@ -53,10 +54,9 @@ impl CellMesh {
                 sides.starts.push(sides.corners.len() as u32);
             }
             if cell.len() < 4 {
-                return Err(MeshError::TooFewCorners {
-                    kind: ElementKind::Cell,
-                    element,
-                    corners: cell.len(),
+                return Err(MeshError::TooFewSides {
+                    cell: element,
+                    sides: cell.len(),
                 });
             }
             sides.cells.push(sides.starts.len() as u32 - 1);
