@@ -18,7 +18,7 @@ use by_hand::Topology;
 use common::surface::{self, Surface, largest_difference, print_why, say};
 use glam::DVec3;
 use iheartmesh::nalgebra::{DMatrix, DVector};
-use iheartmesh::{Edge, FaceMesh, iheartmesh};
+use iheartmesh::{CellMesh, Edge, FaceMesh, iheartmesh};
 
 iheartmesh! {
     /// A weighted mean over the vertices around each vertex.
@@ -35,6 +35,9 @@ iheartmesh! {
 
     /// Lengths of segments together with the widths of those before and after.
     pub struct SegmentLengths = include "examples/gallery/segment_lengths.hlang";
+
+    /// Values at the centres of tetrahedra, averaged at their vertices.
+    pub struct CellAverage = include "examples/gallery/cell_average.hlang";
 
     /// Angles that are missing to a full turn.
     pub struct AngleDefect = include "examples/gallery/angle_defect.hlang";
@@ -74,11 +77,7 @@ fn study(surface: &Surface) -> Result<(), Box<dyn Error>> {
         off.fold(0.0, f64::max),
     );
 
-    say!(
-        "  {:<24}{:<36}needs cells of tetrahedra, which are not there yet",
-        "[James 2020]",
-        "Fᵢ ≈ ∑ wₖ/rₖ F(rₖ) / ∑ wⱼ/rⱼ"
-    );
+    averages()?;
 
     let alpha: Vec<DVector<f64>> = centres(x, triangles)
         .iter()
@@ -154,6 +153,26 @@ fn graph_convolution(surface: &Surface, topology: &Topology) -> Result<Vec<f64>,
         off.fold(0.0, f64::max),
     );
     Ok(found.iter().map(|f| f.norm()).collect())
+}
+
+/// On a cube of tetrahedra.
+fn averages() -> Result<(), Box<dyn Error>> {
+    let (x, tetrahedra) = by_hand::bent_cube(8);
+    let mesh = CellMesh::from_tetrahedra(x.len(), &tetrahedra)?;
+    let flow = |p: DVec3| DVec3::new(-p.y, p.x, p.z * p.z);
+    let found = CellAverage::new(&mesh, &x, flow)?.F̂_all();
+    let expected = by_hand::cell_average(&x, &tetrahedra, flow);
+    let off = found.iter().zip(&expected).map(|(a, b)| a.distance(*b));
+    row(
+        "[James 2020]",
+        "Fᵢ ≈ ∑ wₖ/rₖ F(rₖ) / ∑ wⱼ/rⱼ",
+        off.fold(0.0, f64::max),
+    );
+    print_why(&format!(
+        "at the vertices of {} tetrahedra",
+        tetrahedra.len()
+    ));
+    Ok(())
 }
 
 /// On the lower half of the surface, which has a boundary.

@@ -8,7 +8,7 @@ mod support;
 use by_hand::Topology;
 use iheartmesh::glam::DVec3;
 use iheartmesh::nalgebra::{DMatrix, DVector};
-use iheartmesh::{Edge, FaceMesh, Vertex, io};
+use iheartmesh::{CellMesh, Edge, FaceMesh, Vertex, io};
 
 both_ways! {
     PointConvolution, PlainPointConvolution = "examples/gallery/point_convolution.hlang";
@@ -16,6 +16,7 @@ both_ways! {
     DifferentialCoordinates, PlainDifferentialCoordinates = "examples/gallery/differential_coordinates.hlang";
     PatchDifferences, PlainPatchDifferences = "examples/gallery/patch_differences.hlang";
     SegmentLengths, PlainSegmentLengths = "examples/gallery/segment_lengths.hlang";
+    CellAverage, PlainCellAverage = "examples/gallery/cell_average.hlang";
     AngleDefect, PlainAngleDefect = "examples/gallery/angle_defect.hlang";
     EdgeEnergy, PlainEdgeEnergy = "examples/gallery/edge_energy.hlang";
 }
@@ -109,6 +110,21 @@ fn patch_differences() {
         assert!((printed - sum).abs() < 1e-11, "{printed} {sum}");
         assert!(printed.abs() < 1e-11);
         assert!((squared - squares).abs() < 1e-11 * squares && squares > 1000.0);
+    }
+}
+
+#[test]
+fn cell_average() {
+    let (x, tetrahedra) = by_hand::bent_cube(4);
+    let mesh = CellMesh::from_tetrahedra(x.len(), &tetrahedra).unwrap();
+    let flow = |p: DVec3| DVec3::new(-p.y, p.x, p.z * p.z);
+    let a = CellAverage::new(&mesh, &x, flow).unwrap();
+    let b = PlainCellAverage::new(&mesh, &x, flow).unwrap();
+    let expected = by_hand::cell_average(&x, &tetrahedra, flow);
+    for ((v, all), expected) in mesh.vertices().zip(a.F̂_all()).zip(expected) {
+        for found in [all, a.F̂(v), b.F̂(v)] {
+            assert!(found.distance(expected) < 1e-14);
+        }
     }
 }
 

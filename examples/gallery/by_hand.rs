@@ -151,6 +151,63 @@ impl<'a> Topology<'a> {
     }
 }
 
+/// A cube of n³ smaller ones, each cut into the six tetrahedra around its diagonal, with bent sides.
+pub fn bent_cube(n: u32) -> (Vec<DVec3>, Vec<[u32; 4]>) {
+    let vertex = |[i, j, k]: [u32; 3]| i + (n + 1) * (j + (n + 1) * k);
+    let steps = || (0..n * n * n).map(|c| [c % n, c / n % n, c / n / n]);
+    let orders = [
+        [0, 1, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [0, 2, 1],
+        [2, 1, 0],
+        [1, 0, 2],
+    ];
+    let tetrahedra = steps().flat_map(|corner| {
+        orders.iter().enumerate().map(move |(number, order)| {
+            let mut place = corner;
+            let mut path = [vertex(place); 4];
+            for (step, axis) in order.iter().enumerate() {
+                place[*axis] += 1;
+                path[step + 1] = vertex(place);
+            }
+            if number >= 3 {
+                path.swap(2, 3);
+            }
+            path
+        })
+    });
+    let m = n + 1;
+    let points = (0..m * m * m).map(|c| {
+        let p = DVec3::new((c % m).into(), (c / m % m).into(), (c / m / m).into()) / f64::from(n);
+        p + 0.1 * DVec3::new(p.y * p.z, (3.0 * p.x).sin(), p.x * p.y)
+    });
+    (points.collect(), tetrahedra.collect())
+}
+
+/// `cell_average.hlang`.
+pub fn cell_average(
+    x: &[DVec3],
+    tetrahedra: &[[u32; 4]],
+    value: impl Fn(DVec3) -> DVec3,
+) -> Vec<DVec3> {
+    let (mut sums, mut weights) = (vec![DVec3::ZERO; x.len()], vec![0.0; x.len()]);
+    for tetrahedron in tetrahedra {
+        let [a, b, c, d] = tetrahedron.map(|v| x[v as usize]);
+        let volume = (b - a).cross(c - a).dot(d - a) / 6.0;
+        let centre = (a + b + c + d) / 4.0;
+        for v in tetrahedron.map(|v| v as usize) {
+            let weight = volume / centre.distance(x[v]);
+            sums[v] += weight * value(centre);
+            weights[v] += weight;
+        }
+    }
+    sums.iter()
+        .zip(weights)
+        .map(|(sum, weight)| *sum / weight)
+        .collect()
+}
+
 fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
