@@ -6,6 +6,7 @@ mod support;
 
 use iheartmesh::glam::DVec3;
 use iheartmesh::{FaceMesh, Vertex, iheartmesh};
+use support::random::Random;
 use support::soups::{self, Soup};
 
 macro_rules! programs {
@@ -116,13 +117,13 @@ fn check(name: &str, mesh: &FaceMesh, x: &[DVec3]) {
     );
 }
 
-fn position(random: &mut soups::Random) -> DVec3 {
+fn position(random: &mut Random) -> DVec3 {
     let mut coordinate = || f64::from(random.below(1 << 20)) / f64::from(1 << 20);
     DVec3::new(coordinate(), coordinate(), coordinate())
 }
 
 fn check_soup(soup: &Soup) {
-    let mut random = soups::Random(soup.n.into());
+    let mut random = Random(soup.n.into());
     let x: Vec<DVec3> = (0..soup.n).map(|_| position(&mut random)).collect();
     let mesh = FaceMesh::from_polygons(soup.n as usize, &soup.faces);
     // not all lists of polygons are a mesh

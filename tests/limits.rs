@@ -167,8 +167,8 @@ fn sizes_that_agree_by_chance() {
 fn sums_of_arrays_without_terms() {
     let p = iheartmesh::sprs::CsMat::eye_csc(3);
     let module = Empty::new(dmatrix![2.0], dvector![3.0], dvector![1.0, 1.0, 1.0], &p).unwrap();
-    assert_eq!(module.times(&dvector![1.0, 2.0], 3), dvector![3.0, 6.0]);
-    assert_eq!(module.times(&dvector![1.0, 2.0], 0), dvector![0.0, 0.0]);
+    assert_eq!(module.times(dvector![1.0, 2.0], 3), dvector![3.0, 6.0]);
+    assert_eq!(module.times(dvector![1.0, 2.0], 0), dvector![0.0, 0.0]);
     assert_eq!(module.doubled(2), dvector![9.0]);
     assert_eq!(module.several(0).shape(), (3, 3));
     assert_eq!(module.several(2).get(1, 1), Some(&2.0));
