@@ -8,6 +8,7 @@
 //! runtime crate, whose paths the generated code names.
 
 pub mod check;
+pub mod derive;
 pub mod diagnostic;
 pub mod emit;
 #[cfg(feature = "interpret")]

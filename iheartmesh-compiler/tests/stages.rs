@@ -149,6 +149,11 @@ fn overloads() {
 }
 
 #[test]
+fn derivatives() {
+    check(&small("derivatives"));
+}
+
+#[test]
 fn optima() {
     check(&small("optima"));
 }

@@ -6,15 +6,27 @@ use std::path::{Path, PathBuf};
 /// Which parts of the compiler a part may use besides itself; those of the root need no entry.
 ///
 /// `syntax::ast` stands for the vocabulary of the tree alone, `syntax::ast::CompareOp` for this one type.
-const MAY_USE: [(&str, &[&str]); 9] = [
+const MAY_USE: [(&str, &[&str]); 10] = [
     ("syntax", &["span", "source", "diagnostic"]),
     ("types", &["syntax::ast"]),
     ("resolve", &["span", "diagnostic", "syntax"]),
     (
         "check",
-        &["span", "diagnostic", "syntax", "resolve", "types", "ir"],
+        &[
+            "span",
+            "diagnostic",
+            "syntax",
+            "resolve",
+            "types",
+            "ir",
+            "derive",
+        ],
     ),
     ("ir", &["span", "types", "syntax::ast::CompareOp"]),
+    (
+        "derive",
+        &["span", "types", "ir", "optimize", "syntax::ast::CompareOp"],
+    ),
     ("optimize", &["ir", "types", "span"]),
     (
         "emit",

@@ -71,10 +71,20 @@ impl<'a> Checker<'a> {
             } => self.number_matrix(*ones, rows, columns.as_deref()),
             ExprKind::Optimise { .. } => self.optimise(e),
             ExprKind::Integral { .. } => self.integral(e),
-            ExprKind::Derivative { .. }
-            | ExprKind::Gradient { .. }
-            | ExprKind::Laplacian(_)
-            | ExprKind::Divergence(_) => self.unsupported(e.span, "derivatives are"),
+            ExprKind::Derivative { total: true, .. } => {
+                self.unsupported(e.span, "total derivatives are")
+            }
+            ExprKind::Derivative {
+                order,
+                numerator,
+                denominators,
+                ..
+            } => self.derivative(e, *order, numerator, denominators),
+            ExprKind::Gradient { variable, operand } => {
+                self.gradient(e, variable.as_deref(), operand)
+            }
+            ExprKind::Laplacian(_) => self.unsupported(e.span, "`Δ` is"),
+            ExprKind::Divergence(_) => self.unsupported(e.span, "`∇⋅` is"),
             ExprKind::Error => self.error(),
         }
     }

@@ -148,7 +148,11 @@ impl<'a> Checker<'a> {
                             "psd" => Unary::PositivePart,
                             _ => Unary::AbsolutePart,
                         };
-                        Some((part, Type::real_matrix(n, m)))
+                        let mut result = Type::real_matrix(n, m);
+                        if let Type::Matrix { sparse, .. } = &mut result {
+                            *sparse = ty.is_sparse();
+                        }
+                        Some((part, result))
                     }
                     _ => None,
                 },

@@ -11,6 +11,7 @@ mod call;
 mod condition;
 mod declare;
 mod define;
+mod derivative;
 mod dimension;
 mod elementwise;
 mod entries;

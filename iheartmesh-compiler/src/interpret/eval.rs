@@ -152,6 +152,7 @@ impl<'a> Interpreter<'a> {
                 body,
             } => self.scatter(scope, e, (*variable, *set), *sizes, *place, *body)?,
             Kind::Update(base, entries) => self.update(scope, e, *base, entries)?,
+            Kind::Assemble { sizes, blocks } => self.assemble(scope, e, sizes, blocks)?,
             Kind::Sequence(items) => Value::Sequence(self.list(scope, items)?),
             Kind::SequenceOf(set) => Value::Sequence(self.members(scope, *set)?),
             Kind::HostCall(function, arguments) => match self.eval(scope, *function)? {

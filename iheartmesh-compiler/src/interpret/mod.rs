@@ -15,6 +15,7 @@
 
 mod arguments;
 mod array;
+mod assemble;
 mod entries;
 mod eval;
 mod factor;

@@ -214,6 +214,19 @@ macro_rules! each_operand {
                     visit(value);
                 }
             }
+            Kind::Assemble { sizes, blocks } => {
+                sizes.$iter().for_each(&mut visit);
+                for block in blocks.$iter() {
+                    let super::Block {
+                        rows,
+                        columns,
+                        value,
+                    } = block;
+                    rows.$iter().for_each(&mut visit);
+                    columns.$iter().for_each(&mut visit);
+                    visit(value);
+                }
+            }
             Kind::Unary(_, a)
             | Kind::Not(a)
             | Kind::Extent(a, _)

@@ -307,6 +307,14 @@ impl Writer<'_> {
                 }
                 self.put(")");
             }
+            Kind::Assemble { sizes, blocks } => {
+                self.call("assemble", sizes);
+                for block in blocks {
+                    self.call(" at ", &block.rows);
+                    self.call(", ", &block.columns);
+                    self.call(" += ", &[block.value]);
+                }
+            }
             Kind::Sequence(items) => self.call("sequence", items),
             Kind::SequenceOf(a) => self.call("sequence of ", &[*a]),
             Kind::HostCall(function, arguments) => {

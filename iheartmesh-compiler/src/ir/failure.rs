@@ -52,6 +52,7 @@ pub fn failure(program: &Program, e: ExprId) -> String {
         Kind::Scatter { .. } => "a place lies outside of the matrix",
         Kind::Update(..) => "a place that is set does not exist",
         Kind::RowOf(..) => "the matrix has no such row",
+        Kind::Assemble { .. } => "a derivative by an item that there is not",
         Kind::ColumnOf(..) => "the matrix has no such column",
         Kind::Agree(..) if *arena.ty(e) == Type::INTEGER => {
             "two sizes differ that one index runs over,"

@@ -260,6 +260,21 @@ pub struct Boundary {
     pub transposed: bool,
 }
 
+/// A value that is added to an array, whole or in pieces.
+///
+/// The rows of the value are divided evenly among the places in `rows`: the piece for place `p`, an element or a number
+/// from 1, of height `h` goes to the rows from `(p - 1) h + 1`. Columns likewise. For a vector there are no columns; a matrix
+/// that is added to one is taken column by column.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Block {
+    /// Where its rows go.
+    pub rows: Vec<ExprId>,
+    /// Where its columns go.
+    pub columns: Vec<ExprId>,
+    /// The value.
+    pub value: ExprId,
+}
+
 /// The kinds of expressions.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
@@ -346,6 +361,13 @@ pub enum Kind {
     /// A vector, matrix or sequence with entries replaced one after the other: the subscripts of each, from 1, with its
     /// value. A subscript that is missing stands for all: the value is a row or a column. Fails for a place outside.
     Update(ExprId, Vec<(Vec<Option<ExprId>>, ExprId)>),
+    /// An array of zeros to which blocks are added: what derivatives are put together from.
+    Assemble {
+        /// Its number of entries, or of rows and columns.
+        sizes: Vec<ExprId>,
+        /// What is added.
+        blocks: Vec<Block>,
+    },
     /// A sequence by its items.
     Sequence(Vec<ExprId>),
     /// A set as a sequence, ascending.

@@ -316,6 +316,7 @@ impl MayFail {
             Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
             Kind::Optimum { .. } | Kind::Integral { .. } => true,
             Kind::Scatter { .. } | Kind::Update(..) => true,
+            Kind::Assemble { blocks, .. } => !blocks.is_empty(),
             Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
             Kind::Fold { op, .. } => {

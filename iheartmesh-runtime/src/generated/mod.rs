@@ -2,6 +2,7 @@
 
 mod all;
 mod array;
+mod assemble;
 mod chain;
 mod check;
 mod corners;
@@ -22,6 +23,7 @@ mod touch;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use array::*;
+pub use assemble::*;
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element_in, check_in, check_item_size,

@@ -318,6 +318,10 @@ impl Body<'_> {
             }
             Unary::Least => quote!(rt::least(#a, #site)?),
             Unary::Greatest => quote!(rt::greatest(#a, #site)?),
+            Unary::PositivePart if sparse => {
+                quote!(rt::sparse_with_eigenvalues(#a, |value| value.max(0.0)))
+            }
+            Unary::AbsolutePart if sparse => quote!(rt::sparse_with_eigenvalues(#a, f64::abs)),
             Unary::PositivePart => quote!(rt::with_eigenvalues::<#ty>(#a, |value| value.max(0.0))),
             Unary::AbsolutePart => quote!(rt::with_eigenvalues::<#ty>(#a, f64::abs)),
             Unary::Reshape if self.ty(e).is_sparse() => quote!(rt::sparse(#a)),

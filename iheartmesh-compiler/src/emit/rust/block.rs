@@ -194,17 +194,33 @@ impl<'a> Body<'a> {
     /// A loop.
     pub(super) fn fold(&mut self, e: ExprId) -> TokenStream {
         let Kind::Fold {
-            op,
-            variable,
-            range,
-            condition,
-            body,
+            op, variable, body, ..
         } = self.kind(e)
         else {
             panic!("bug in iheartmesh: no loop");
         };
+        let (op, body) = (*op, *body);
         let ty = self.ty(e);
-        let (start, finish) = self.accumulator(e, *op, ty, *body == self.variable_expr(*variable));
+        let (start, finish) = self.accumulator(e, op, ty, body == self.variable_expr(*variable));
+        let looped = self.looped(e, |this| this.step(e, op, ty, body));
+        quote!({ #start #looped #finish })
+    }
+
+    /// A loop that does something for each value.
+    pub(super) fn looped(
+        &mut self,
+        e: ExprId,
+        step: impl FnOnce(&mut Self) -> TokenStream,
+    ) -> TokenStream {
+        let Kind::Fold {
+            variable,
+            range,
+            condition,
+            ..
+        } = self.kind(e)
+        else {
+            panic!("bug in iheartmesh: no loop");
+        };
         let locals = match range {
             Range::Rows => self.bind_locals(*variable),
             _ => TokenStream::new(),
@@ -214,18 +230,18 @@ impl<'a> Body<'a> {
         let before = self.statements(outside, &[]);
         let inside = match condition {
             None => {
-                let step = self.step(e, *op, ty, *body);
+                let step = step(self);
                 quote!(#before #step)
             }
             Some(condition) => {
                 let condition = self.owned(*condition);
                 let taken = self.placement.part(e, Part::Taken);
                 let statements = self.statements(taken, &[]);
-                let step = self.step(e, *op, ty, *body);
+                let step = step(self);
                 quote!(#before if #condition { #statements #step })
             }
         };
-        quote!({ #start #locals #head { #inside } #finish })
+        quote!(#locals #head { #inside })
     }
 
     fn variable_expr(&self, variable: VariableId) -> ExprId {

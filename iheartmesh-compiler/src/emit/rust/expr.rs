@@ -94,6 +94,9 @@ impl Body<'_> {
     /// The value of an expression that has no name.
     pub(super) fn value(&mut self, e: ExprId) -> TokenStream {
         let kind = self.kind(e);
+        if self.is_assembled(e) {
+            return self.assemble(e);
+        }
         match kind {
             Kind::Integer(v) => {
                 let v = Literal::i64_suffixed(*v);

@@ -5,6 +5,7 @@
 //! one small Rust function over them. Only paths under the crate's own path are named.
 
 mod array;
+mod assemble;
 mod block;
 mod check;
 mod docs;

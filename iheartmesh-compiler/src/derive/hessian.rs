@@ -1,0 +1,355 @@
+//! Derivatives of vectors: Jacobians, and the second derivatives of numbers.
+
+use std::collections::HashMap;
+
+use super::algebra::SMALL;
+use super::normal::Normal;
+use super::reverse::{Reverse, Target};
+use super::{Trouble, count, gradient, size, tabulated};
+use crate::ir::{Binary, Block, ExprId, Fold, Kind, Layout, Range, VariableId};
+use crate::optimize::rewrite;
+use crate::types::{Dimension, Shape, Type};
+
+/// The derivative of a vector in normal form by `x`: a vector where `x` is a number, else a matrix.
+pub(super) fn jacobian(
+    normal: &mut Normal<'_>,
+    y: ExprId,
+    x: ExprId,
+    sparse: bool,
+) -> Result<ExprId, Trouble> {
+    let ty = normal.algebra().dense(y);
+    let Some(Shape::Vector(rows)) = ty.shape() else {
+        return Err(Trouble::new(
+            normal.program.arena.origin(y),
+            "only numbers and vectors are differentiated".to_owned(),
+            "write `vec(A)` for the entries of a matrix",
+        ));
+    };
+    let n = length(normal, y);
+    if normal.algebra().ty(x).is_scalar() {
+        if let Some(known) = rows.value().filter(|n| *n <= SMALL) {
+            let mut items = Vec::new();
+            for k in 1..=known {
+                let entry = entry(normal, y, k)?;
+                items.push(gradient(normal, entry, x)?);
+            }
+            return Ok(normal.algebra().arena.add(Kind::Vector(items), ty));
+        }
+        return tabulated(normal, Layout::Vector, n, ty, |normal, k| {
+            let entry = entry_at(normal, y, k)?;
+            gradient(normal, entry, x)
+        });
+    }
+    let columns = size(normal, x);
+    let width = count(&normal.algebra().ty(x)).unwrap_or_else(|| Dimension::known(0));
+    let is_fixed = rows.value().is_some() && width.value().is_some();
+    let mut ty = Type::real_matrix(rows, width);
+    if let Type::Matrix { sparse: stored, .. } = &mut ty {
+        *stored = sparse && !is_fixed;
+    }
+    let mut rows = Rows {
+        normal,
+        x,
+        sizes: [n, columns],
+        ty,
+    };
+    rows.of(y)
+}
+
+/// The second derivatives of a number in normal form. Sparse where it is a sum of terms of a few items each.
+pub(super) fn second(
+    normal: &mut Normal<'_>,
+    y: ExprId,
+    a: ExprId,
+    b: ExprId,
+) -> Result<ExprId, Trouble> {
+    let sparse = is_sum(normal, y, &[a, b]);
+    let slope = gradient(normal, y, a)?;
+    let slope = normal.expr(slope)?;
+    jacobian(normal, slope, b, sparse)
+}
+
+/// The number of entries of a vector.
+fn length(normal: &mut Normal<'_>, y: ExprId) -> ExprId {
+    let mut open = vec![y];
+    while let Some(e) = open.pop() {
+        match normal.kind(e) {
+            Kind::Assemble { sizes, .. } => return sizes[0],
+            Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => open.extend([a, b]),
+            Kind::Fold { body, .. } => open.push(body),
+            _ => {}
+        }
+    }
+    normal.algebra().size(y, 0)
+}
+
+fn entry(normal: &mut Normal<'_>, y: ExprId, k: i64) -> Result<ExprId, Trouble> {
+    let k = normal.program.arena.integer(k);
+    entry_at(normal, y, k)
+}
+
+/// An entry of a vector, in normal form.
+fn entry_at(normal: &mut Normal<'_>, y: ExprId, k: ExprId) -> Result<ExprId, Trouble> {
+    let raw = normal.algebra().entry(y, k);
+    match normal.kind(raw) {
+        Kind::Component(..) => normal.rule(raw),
+        _ => Ok(raw),
+    }
+}
+
+/// Whether a number is a sum of terms each of which takes a few items of the variables.
+fn is_sum(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId]) -> bool {
+    if !normal.is_active(e) {
+        return true;
+    }
+    match normal.kind(e) {
+        Kind::Binary(Binary::Add | Binary::Subtract, a, b) => {
+            is_sum(normal, a, variables) && is_sum(normal, b, variables)
+        }
+        Kind::Binary(Binary::Multiply, k, a) if !normal.is_active(k) => {
+            is_sum(normal, a, variables)
+        }
+        Kind::Binary(Binary::Multiply | Binary::Divide, a, k) if !normal.is_active(k) => {
+            is_sum(normal, a, variables)
+        }
+        Kind::Unary(crate::ir::Unary::Negate, a) => is_sum(normal, a, variables),
+        Kind::If(_, a, b) => is_sum(normal, a, variables) && is_sum(normal, b, variables),
+        Kind::Fold {
+            op: Fold::Sum,
+            body,
+            ..
+        } => is_sum(normal, body, variables),
+        _ => is_local(normal, e, variables),
+    }
+}
+
+/// Whether a term takes items of the variables only: not all of one, and none in a loop that runs over everything.
+fn is_local(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId]) -> bool {
+    if !normal.is_active(e) {
+        return true;
+    }
+    if variables.contains(&e) {
+        return false;
+    }
+    let kind = normal.kind(e);
+    match &kind {
+        Kind::Item(x, _) | Kind::Component(x, _) | Kind::At(x, ..) if variables.contains(x) => true,
+        Kind::ColumnOf(x, _) | Kind::RowOf(x, _) if variables.contains(x) => true,
+        Kind::Fold { range, body, .. } => {
+            let arena = &normal.program.arena;
+            let few = match range {
+                Range::Set(set) => !arena.node(*set).free.is_empty(),
+                Range::Integers(from, to) => {
+                    let known = |e: &ExprId| {
+                        matches!(arena.kind(*e), Kind::Integer(_))
+                            || !arena.node(*e).free.is_empty()
+                    };
+                    known(from) && known(to)
+                }
+                Range::Rows => false,
+            };
+            few && is_local(normal, *body, variables)
+        }
+        Kind::Tabulate { sizes, body, .. } => {
+            let few = sizes
+                .iter()
+                .all(|s| matches!(normal.program.arena.kind(*s), Kind::Integer(_)));
+            few && is_local(normal, *body, variables)
+        }
+        _ => {
+            let mut all = true;
+            kind.operands(|operand| all = all && is_local(normal, operand, variables));
+            all
+        }
+    }
+}
+
+/// Collects the rows of a matrix of derivatives.
+struct Rows<'n, 'a> {
+    normal: &'n mut Normal<'a>,
+    x: ExprId,
+    sizes: [ExprId; 2],
+    ty: Type,
+}
+
+impl Rows<'_, '_> {
+    /// The derivatives of a vector.
+    fn of(&mut self, y: ExprId) -> Result<ExprId, Trouble> {
+        if !self.normal.is_active(y) {
+            return Ok(self.zero());
+        }
+        if !is_assembled(self.normal, y) {
+            return self.dense(y);
+        }
+        match self.normal.kind(y) {
+            Kind::Assemble { blocks, .. } => {
+                let mut sum = self.zero();
+                for block in blocks {
+                    let rows = self.block(&block)?;
+                    sum = self.normal.algebra().add(sum, rows);
+                }
+                Ok(sum)
+            }
+            Kind::Binary(Binary::Add, a, b) => {
+                let (a, b) = (self.of(a)?, self.of(b)?);
+                Ok(self.normal.algebra().add(a, b))
+            }
+            Kind::If(condition, a, b) => {
+                let (a, b) = (self.of(a)?, self.of(b)?);
+                Ok(self.normal.algebra().choose(condition, a, b))
+            }
+            Kind::Fold {
+                variable,
+                range,
+                condition,
+                body,
+                ..
+            } => {
+                let body = self.of(body)?;
+                Ok(self.sum(variable, range, condition, body))
+            }
+            _ => self.dense(y),
+        }
+    }
+
+    fn zero(&mut self) -> ExprId {
+        let kind = Kind::Assemble {
+            sizes: self.sizes.to_vec(),
+            blocks: Vec::new(),
+        };
+        self.normal.program.arena.add(kind, self.ty.clone())
+    }
+
+    /// A sum over a loop, with a variable of its own.
+    fn sum(
+        &mut self,
+        variable: VariableId,
+        range: Range,
+        condition: Option<ExprId>,
+        body: ExprId,
+    ) -> ExprId {
+        if self.normal.algebra().is_zero(body) {
+            return body;
+        }
+        let arena = &mut self.normal.program.arena;
+        let (name, ty) = (
+            arena.variable_name(variable).to_owned(),
+            arena.variable_type(variable).clone(),
+        );
+        let fresh = arena.new_variable(&name, ty);
+        let all = HashMap::from([(variable, arena.variable(fresh))]);
+        let body = rewrite::substitute(arena, body, &all);
+        let condition = condition.map(|c| rewrite::substitute(arena, c, &all));
+        let ty = arena.ty(body).clone();
+        let kind = Kind::Fold {
+            op: Fold::Sum,
+            variable: fresh,
+            range,
+            condition,
+            body,
+        };
+        arena.add(kind, ty)
+    }
+
+    /// The derivatives of a number, in the row of this number.
+    fn row(&mut self, y: ExprId, row: ExprId) -> Result<ExprId, Trouble> {
+        let target = Target::Row(row, self.sizes, self.ty.clone());
+        Reverse::of(self.normal, y, self.x, target)
+    }
+
+    /// The rows of a block.
+    fn block(&mut self, block: &Block) -> Result<ExprId, Trouble> {
+        let [place] = block.rows.as_slice() else {
+            return Err(Trouble::new(
+                None,
+                "third derivatives are known of numbers only".to_owned(),
+                "differentiate a number by numbers",
+            ));
+        };
+        let value = block.value;
+        let mut s = self.normal.algebra();
+        let fixed = s.fixed(value).filter(|(n, m)| n * m <= SMALL);
+        let (n, m) = (s.size(value, 0), s.size(value, 1));
+        let all = s.count(Binary::Multiply, n, m);
+        if let Some((n, m)) = fixed {
+            let mut sum = self.zero();
+            for k in 1..=n * m {
+                let mut s = self.normal.algebra();
+                let (i, j) = (
+                    s.arena.integer((k - 1) % n + 1),
+                    s.arena.integer((k - 1) / n + 1),
+                );
+                let k = s.arena.integer(k);
+                let row = s.inside(*place, all, k);
+                let entry = self.entry(value, i, j)?;
+                let rows = self.row(entry, row)?;
+                sum = self.normal.algebra().add(sum, rows);
+            }
+            return Ok(sum);
+        }
+        let (i, up) = self.normal.index("i");
+        let (j, across) = self.normal.index("j");
+        let mut s = self.normal.algebra();
+        let k = s.inside(across, n, up);
+        let row = s.inside(*place, all, k);
+        let one = s.arena.integer(1);
+        let matrix = matches!(s.ty(value).shape(), Some(Shape::Matrix(..)));
+        let (entry, row) = match matrix {
+            true => (self.entry(value, up, across)?, row),
+            false => {
+                let row = s.inside(*place, all, up);
+                (self.entry(value, up, one)?, row)
+            }
+        };
+        let mut sum = self.row(entry, row)?;
+        sum = self.sum(i, Range::Integers(one, n), None, sum);
+        if matrix {
+            sum = self.sum(j, Range::Integers(one, m), None, sum);
+        }
+        Ok(sum)
+    }
+
+    fn entry(&mut self, value: ExprId, i: ExprId, j: ExprId) -> Result<ExprId, Trouble> {
+        let raw = self.normal.algebra().at(value, i, j);
+        match self.normal.kind(raw) {
+            Kind::Component(..) | Kind::At(..) if raw != value => self.normal.rule(raw),
+            _ => Ok(raw),
+        }
+    }
+
+    /// The derivatives of a vector entry by entry.
+    fn dense(&mut self, y: ExprId) -> Result<ExprId, Trouble> {
+        if let Some((n, _)) = self.normal.algebra().fixed(y).filter(|(n, _)| *n <= SMALL) {
+            let mut sum = self.zero();
+            for k in 1..=n {
+                let entry = entry(self.normal, y, k)?;
+                let k = self.normal.program.arena.integer(k);
+                let row = self.row(entry, k)?;
+                sum = self.normal.algebra().add(sum, row);
+            }
+            return Ok(sum);
+        }
+        let x = self.x;
+        let (n, ty) = (self.sizes[0], self.ty.clone());
+        tabulated(self.normal, Layout::Rows, n, ty, |normal, k| {
+            let entry = entry_at(normal, y, k)?;
+            gradient(normal, entry, x)
+        })
+    }
+}
+
+/// Whether a vector is put together from blocks.
+fn is_assembled(normal: &Normal<'_>, e: ExprId) -> bool {
+    match normal.kind(e) {
+        Kind::Assemble { .. } => true,
+        Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => {
+            is_assembled(normal, a) || is_assembled(normal, b)
+        }
+        Kind::Fold {
+            op: Fold::Sum,
+            body,
+            ..
+        } => is_assembled(normal, body),
+        _ => false,
+    }
+}
