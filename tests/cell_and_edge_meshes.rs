@@ -31,7 +31,7 @@ for_both! {
     fn volumes() {
         let mesh = CellMesh::from_tetrahedra(5, &[[0, 1, 2, 3], [1, 2, 3, 4], [3, 2, 1, 4]]).unwrap();
         let x = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE];
-        let module = Volumes::new(&mesh, &x).unwrap();
+        let module = Volumes::new(&mesh, x).unwrap();
         let expected = [1.0 / 6.0, 1.0 / 3.0, -1.0 / 3.0];
         for (cell, expected) in mesh.cells().zip(expected) {
             assert!((module.vol(cell) - expected).abs() < 1e-15, "{cell:?}");
@@ -45,7 +45,7 @@ for_both! {
     fn means() {
         let mesh = EdgeMesh::from_edges(4, &[[0, 1], [2, 0], [3, 0]]).unwrap();
         let x = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-        let module = Means::new(&mesh, &x).unwrap();
+        let module = Means::new(&mesh, x).unwrap();
         assert!((module.m(Vertex::new(0)) - DVec3::splat(1.0 / 3.0)).length() < 1e-15);
         assert_eq!(module.m(Vertex::new(1)), DVec3::ZERO);
     }
