@@ -1,7 +1,7 @@
 //! Derivatives: from the expression of a value to that of its derivative, before anything is optimised.
 //!
-//! What is differentiated is brought to a normal form ([`normal`]), then reverse mode goes back from it to the variable
-//! ([`reverse`]), each expression once, with one rule for each operation ([`rules`], [`loops`]). Equal expressions are one
+//! What is differentiated is brought to a normal form (`normal`), then reverse mode goes back from it to the variable
+//! (`reverse`), each expression once, with one rule for each operation (`rules`, `loops`). Equal expressions are one
 //! expression, so that a derivative shares what it can with the value.
 //!
 //! What comes of it is put together by [`Kind::Assemble`]: a loop over elements adds a block for each item that its terms

@@ -83,7 +83,7 @@ impl CellMesh {
     /// ∂² (edges × faces), `d3` is ∂³ (faces × cells). All numbers and orientations are those of the matrices.
     ///
     /// # Errors
-    /// Those of [`FaceMesh::from_boundary_matrices`].
+    /// Those of [`FaceMesh::from_boundary_matrices`](crate::FaceMesh::from_boundary_matrices).
     pub fn from_boundary_matrices(
         d1: &BoundaryMatrix,
         d2: &BoundaryMatrix,
