@@ -333,7 +333,7 @@ fn what_does_not_fit_is_not_written() {
     let face = &[[0, 1, 2]][..];
     assert_eq!(
         message("a.stl", face, none.clone()),
-        "a.stl: unknown file format; name it .obj, .off or .ply"
+        "a.stl: unknown file format; name it .obj, .off, .ply, .mesh or, to write it, .vtk"
     );
     assert_eq!(
         message("a.ply", &[[0, 1, 3]], none.clone()),

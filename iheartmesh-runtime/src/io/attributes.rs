@@ -1,4 +1,4 @@
-//! Named values on the vertices and faces of a mesh.
+//! Named values on the elements of a mesh.
 
 use glam::DVec3;
 
@@ -41,7 +41,7 @@ pub struct Attribute {
 }
 
 impl Attribute {
-    /// The kind of element that carries the values: vertex or face.
+    /// The kind of element that carries the values.
     pub fn element(&self) -> ElementKind {
         self.element
     }
@@ -143,6 +143,36 @@ impl Attributes {
             ElementKind::Face,
             COLOR,
             AttributeValues::Color(values.into()),
+        )
+    }
+
+    /// Adds a real number for each cell.
+    #[must_use]
+    pub fn cell_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
+        self.with(
+            ElementKind::Cell,
+            name,
+            AttributeValues::Scalar(values.into()),
+        )
+    }
+
+    /// Adds a vector for each cell.
+    #[must_use]
+    pub fn cell_vector(self, name: &str, values: impl Into<Vec<DVec3>>) -> Self {
+        self.with(
+            ElementKind::Cell,
+            name,
+            AttributeValues::Vector(values.into()),
+        )
+    }
+
+    /// Adds a real number for each edge.
+    #[must_use]
+    pub fn edge_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
+        self.with(
+            ElementKind::Edge,
+            name,
+            AttributeValues::Scalar(values.into()),
         )
     }
 

@@ -71,7 +71,7 @@ impl Display for IoError {
             IoError::UnknownFormat { path } => {
                 write!(
                     formatter,
-                    "{}: unknown file format; name it .obj, .off or .ply",
+                    "{}: unknown file format; name it .obj, .off, .ply, .mesh or, to write it, .vtk",
                     path.display()
                 )
             }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::attributes::Attributes;
 use crate::element::Face;
-use crate::mesh::{FaceMesh, MeshError};
+use crate::mesh::{CellMesh, EdgeMesh, FaceMesh, MeshError};
 
 /// The contents of a mesh file, as they stand there: nothing is renumbered, merged, dropped or repaired.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,13 +12,48 @@ use crate::mesh::{FaceMesh, MeshError};
 pub struct MeshFile {
     /// Position of each vertex, also of those that no polygon names. All are finite.
     pub positions: Vec<DVec3>,
+    /// Edges that stand in the file as such; those of polygons and cells are not repeated here.
+    pub edges: Vec<[u32; 2]>,
     /// The polygons. Every corner is below the number of positions; a polygon may be degenerate.
     pub polygons: Polygons,
-    /// Named values on vertices and faces.
+    /// Tetrahedra by their vertices, in the order that [`CellMesh::from_tetrahedra`] takes.
+    pub tetrahedra: Vec<[u32; 4]>,
+    /// Hexahedra by their vertices, in the order that [`CellMesh::from_hexahedra`] takes.
+    pub hexahedra: Vec<[u32; 8]>,
+    /// Named values on vertices, edges, faces and cells: first those of the tetrahedra, then those of the hexahedra.
     pub attributes: Attributes,
 }
 
 impl MeshFile {
+    /// A file with these positions and nothing else, to be filled and written.
+    pub fn of_positions(positions: impl Into<Vec<DVec3>>) -> MeshFile {
+        MeshFile {
+            positions: positions.into(),
+            ..MeshFile::default()
+        }
+    }
+
+    /// The mesh of all edges that stand in the file as such.
+    ///
+    /// # Errors
+    /// Those of [`EdgeMesh::from_edges`].
+    pub fn edge_mesh(&self) -> Result<EdgeMesh, MeshError> {
+        EdgeMesh::from_edges(self.positions.len(), &self.edges)
+    }
+
+    /// The mesh of all tetrahedra, then all hexahedra.
+    ///
+    /// # Errors
+    /// Those of [`CellMesh::from_tetrahedra`] and [`CellMesh::from_polyhedra`].
+    pub fn cell_mesh(&self) -> Result<CellMesh, MeshError> {
+        let n = self.positions.len();
+        match (self.tetrahedra.is_empty(), self.hexahedra.is_empty()) {
+            (_, true) => CellMesh::from_tetrahedra(n, &self.tetrahedra),
+            (true, false) => CellMesh::from_hexahedra(n, &self.hexahedra),
+            (false, false) => CellMesh::from_mixed(n, &self.tetrahedra, &self.hexahedra),
+        }
+    }
+
     /// The mesh of all polygons.
     ///
     /// # Errors

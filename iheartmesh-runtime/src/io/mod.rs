@@ -1,4 +1,4 @@
-//! Mesh files: OBJ, OFF and PLY, chosen by the extension of the file name.
+//! Mesh files: OBJ, OFF, PLY, MEDIT and VTK, chosen by the extension of the file name.
 //!
 //! ```no_run
 //! use iheartmesh_runtime::io::{self, Attributes};
@@ -16,6 +16,8 @@
 //! | OBJ | positions, polygons, vertex colours | the same |
 //! | OFF | positions, polygons, vertex and face colours, vertex normals | the same |
 //! | PLY | text and binary: positions, polygons, all values on vertices and faces | the same, binary |
+//! | MEDIT (`.mesh`) | text: positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra | the same |
+//! | VTK (`.vtk`) | | positions, edges, polygons, tetrahedra, hexahedra, all values |
 //!
 //! Vertices and faces keep their order, vertices that no face names are kept, polygons are not split, and positions are
 //! read as `f64`. A file that is not what its format demands is an [`IoError`] with the place; memory stays within a
@@ -23,11 +25,13 @@
 
 mod attributes;
 mod error;
+mod medit;
 mod mesh_file;
 mod obj;
 mod off;
 mod ply;
 mod text;
+mod vtk;
 
 use std::path::Path;
 
@@ -45,6 +49,8 @@ enum Format {
     Obj,
     Off,
     Ply,
+    Medit,
+    Vtk,
 }
 
 impl Format {
@@ -58,6 +64,8 @@ impl Format {
             "obj" => Ok(Format::Obj),
             "off" => Ok(Format::Off),
             "ply" => Ok(Format::Ply),
+            "mesh" => Ok(Format::Medit),
+            "vtk" => Ok(Format::Vtk),
             _ => Err(IoError::UnknownFormat {
                 path: path.to_owned(),
             }),
@@ -65,7 +73,7 @@ impl Format {
     }
 }
 
-/// Reads a mesh file. The extension of `path` (`.obj`, `.off` or `.ply`, in any case) chooses the format.
+/// Reads a mesh file. The extension of `path` (in any case) chooses the format.
 ///
 /// # Errors
 /// [`IoError::UnknownFormat`] for another extension, [`IoError::File`] if the file cannot be read,
@@ -92,11 +100,17 @@ pub fn from_bytes(path: impl AsRef<Path>, bytes: &[u8]) -> Result<MeshFile, IoEr
         Format::Obj => obj::read(&text()),
         Format::Off => off::read(&text()),
         Format::Ply => ply::read(bytes),
+        Format::Medit => medit::read(&text()),
+        Format::Vtk => {
+            return Err(IoError::UnknownFormat {
+                path: path.to_owned(),
+            });
+        }
     }
     .map_err(|malformed| malformed.in_file(path))
 }
 
-/// Writes a mesh file. The extension of `path` (`.obj`, `.off` or `.ply`, in any case) chooses the format.
+/// Writes a mesh file. The extension of `path` (in any case) chooses the format.
 ///
 /// `positions` has one entry for each vertex; `faces` is a [`FaceMesh`](crate::FaceMesh), [`Polygons`] or a list of
 /// triangles. Reading the file back gives the same numbers, bit by bit (colours in OBJ excepted: they are fractions).
@@ -136,14 +150,114 @@ pub fn to_bytes(
             Format::Obj => obj::write(positions, faces, attributes),
             Format::Off => off::write(positions, faces, attributes),
             Format::Ply => ply::write(positions, faces, attributes),
+            Format::Medit => medit::write(&collected(positions, faces, attributes)),
+            Format::Vtk => vtk::write(&collected(positions, faces, attributes)),
         })
         .map_err(|cannot| cannot.about(path))
+}
+
+/// Writes all of a mesh file, such as one with tetrahedra. The extension of `path` (in any case) chooses the format.
+///
+/// ```no_run
+/// # use iheartmesh_runtime::io::{self, Attributes, MeshFile};
+/// # use iheartmesh_runtime::glam::DVec3;
+/// let mut file = MeshFile::of_positions([DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]);
+/// file.tetrahedra.push([0, 1, 2, 3]);
+/// file.attributes = Attributes::new().cell_scalar("volume", [1.0 / 6.0]);
+/// io::write_file("tetrahedron.vtk", &file)?;
+/// # Ok::<(), io::IoError>(())
+/// ```
+///
+/// # Errors
+/// As [`write()`]: also where the file has edges or cells and the format is OBJ, OFF or PLY, which hold none.
+pub fn write_file(path: impl AsRef<Path>, file: &MeshFile) -> Result<(), IoError> {
+    let path = path.as_ref();
+    let bytes = file_to_bytes(path, file)?;
+    std::fs::write(path, bytes).map_err(|source| IoError::File {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// The contents that [`write_file`] gives the file `path`, in memory.
+///
+/// # Errors
+/// As [`write_file`], without [`IoError::File`].
+pub fn file_to_bytes(path: impl AsRef<Path>, file: &MeshFile) -> Result<Vec<u8>, IoError> {
+    let path = path.as_ref();
+    let format = Format::of(path)?;
+    let MeshFile {
+        positions,
+        polygons,
+        attributes,
+        ..
+    } = file;
+    let n_cells = file.tetrahedra.len() + file.hexahedra.len();
+    check_file(file)
+        .and_then(|()| match format {
+            Format::Medit => medit::write(file),
+            Format::Vtk => vtk::write(file),
+            _ if n_cells + file.edges.len() > 0 => Err(CannotWrite {
+                problem: "this format holds neither edges nor cells".to_owned(),
+                help: "write a .mesh or .vtk file",
+            }),
+            Format::Obj => obj::write(positions, polygons, attributes),
+            Format::Off => off::write(positions, polygons, attributes),
+            Format::Ply => ply::write(positions, polygons, attributes),
+        })
+        .map_err(|cannot| cannot.about(path))
+}
+
+fn collected(
+    positions: &[DVec3],
+    faces: &(impl FaceList + ?Sized),
+    attributes: &Attributes,
+) -> MeshFile {
+    let mut file = MeshFile::of_positions(positions);
+    (0..faces.n_faces()).for_each(|face| file.polygons.push(faces.corners(face)));
+    file.attributes = attributes.clone();
+    file
+}
+
+fn check_file(file: &MeshFile) -> Result<(), CannotWrite> {
+    let n = file.positions.len();
+    let edges = file.edges.iter().map(|element| &element[..]);
+    let tetrahedra = file.tetrahedra.iter().map(|element| &element[..]);
+    let hexahedra = file.hexahedra.iter().map(|element| &element[..]);
+    for (index, element) in edges.chain(tetrahedra).chain(hexahedra).enumerate() {
+        if let Some(vertex) = element.iter().find(|&&vertex| vertex as usize >= n) {
+            let problem =
+                format!("edge or cell {index} names vertex {vertex}, but there are {n} positions");
+            return Err(CannotWrite {
+                problem,
+                help: "vertices are numbered from 0",
+            });
+        }
+    }
+    let counts = [
+        n,
+        file.edges.len(),
+        file.polygons.len(),
+        file.tetrahedra.len() + file.hexahedra.len(),
+    ];
+    check_with(&file.positions, &file.polygons, &file.attributes, counts)
 }
 
 fn check(
     positions: &[DVec3],
     faces: &(impl FaceList + ?Sized),
     attributes: &Attributes,
+) -> Result<(), CannotWrite> {
+    let counts = [positions.len(), 0, faces.n_faces(), 0];
+    check_with(positions, faces, attributes, counts)
+}
+
+/// `counts` are the numbers of vertices, edges, faces and cells.
+fn check_with(
+    positions: &[DVec3],
+    faces: &(impl FaceList + ?Sized),
+    attributes: &Attributes,
+    counts: [usize; 4],
 ) -> Result<(), CannotWrite> {
     if let Some(n_vertices) = faces
         .n_vertices()
@@ -183,11 +297,12 @@ fn check(
         }
     }
     for attribute in attributes {
-        let expected = if attribute.element == ElementKind::Vertex {
-            positions.len()
-        } else {
-            faces.n_faces()
-        };
+        let expected = counts[match attribute.element {
+            ElementKind::Vertex => 0,
+            ElementKind::Edge => 1,
+            ElementKind::Face => 2,
+            ElementKind::Cell => 3,
+        }];
         if attribute.values.len() != expected {
             let problem = format!(
                 "the attribute `{}` has {} values for {}",

@@ -13,10 +13,10 @@ use crate::complex::CellComplex;
 use crate::element::{Cell, Edge, ElementKind, ElementSlice, Elements, Face, Vertex};
 
 /// The sides of a tetrahedron that is positively oriented, counter-clockwise seen from outside.
-const TETRAHEDRON: [&[usize]; 4] = [&[1, 2, 3], &[0, 3, 2], &[0, 1, 3], &[0, 2, 1]];
+pub(super) const TETRAHEDRON: [&[usize]; 4] = [&[1, 2, 3], &[0, 3, 2], &[0, 1, 3], &[0, 2, 1]];
 
 /// The sides of a hexahedron with its vertices in the order of VTK: around the bottom, then above them around the top.
-const HEXAHEDRON: [&[usize]; 6] = [
+pub(super) const HEXAHEDRON: [&[usize]; 6] = [
     &[0, 3, 2, 1],
     &[4, 5, 6, 7],
     &[0, 1, 5, 4],

@@ -1,6 +1,6 @@
 //! Cell meshes from lists of polyhedra and from boundary matrices.
 
-use super::cell::check_sizes;
+use super::cell::{HEXAHEDRON, TETRAHEDRON, check_sizes};
 use super::cell_faces::{self, Faces, Sides};
 use super::face::{check_face, walk};
 use super::{CellMesh, MeshError};
@@ -77,6 +77,30 @@ impl CellMesh {
         let mut mesh = Self::new(faces, cell_starts, cell_corners, false);
         mesh.orient_tetrahedra();
         Ok(mesh)
+    }
+
+    /// The mesh of tetrahedra, then hexahedra, both in the orders that the constructors for one kind take.
+    ///
+    /// # Errors
+    /// Those of [`from_tetrahedra`](Self::from_tetrahedra).
+    pub fn from_mixed(
+        n_vertices: usize,
+        tetrahedra: &[[u32; 4]],
+        hexahedra: &[[u32; 8]],
+    ) -> Result<CellMesh, MeshError> {
+        let mut scratch = Vec::new();
+        let corners = tetrahedra.iter().map(|cell| &cell[..]);
+        let corners = corners.chain(hexahedra.iter().map(|cell| &cell[..]));
+        for (element, cell) in corners.enumerate() {
+            check_face(ElementKind::Cell, n_vertices, element, cell, &mut scratch)?;
+        }
+        let sides = |cell: &[u32], sides: &[&[usize]]| -> Vec<Vec<u32>> {
+            let side = |side: &&[usize]| side.iter().map(|&corner| cell[corner]).collect();
+            sides.iter().map(side).collect()
+        };
+        let tetrahedra = tetrahedra.iter().map(|cell| sides(cell, &TETRAHEDRON));
+        let hexahedra = hexahedra.iter().map(|cell| sides(cell, &HEXAHEDRON));
+        Self::from_polyhedra(n_vertices, tetrahedra.chain(hexahedra))
     }
 
     /// The mesh with these boundary matrices, in either storage order of `sprs`: `d1` is ∂¹ (vertices × edges), `d2` is
