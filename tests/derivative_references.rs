@@ -12,7 +12,7 @@ use iheartmesh::{io, sprs};
 use support::reference_mesh::ReferenceMesh;
 
 both_ways! {
-    Descent, PlainDescent = "tests/programs/gradient_descent.hlang";
+    Descent, PlainDescent = "examples/gradient_descent.hlang";
     Dirichlet, PlainDirichlet = "tests/programs/symmetric_dirichlet.hlang";
 }
 
