@@ -7,13 +7,15 @@ use std::fs;
 use std::path::Path;
 
 use iheartmesh::glam::{DVec2, DVec3};
-use iheartmesh::{io, sprs};
+use iheartmesh::{CellMesh, io, sprs};
 
+use support::json::Json;
 use support::reference_mesh::ReferenceMesh;
 
 both_ways! {
     Descent, PlainDescent = "examples/gradient_descent.hlang";
     Dirichlet, PlainDirichlet = "tests/programs/symmetric_dirichlet.hlang";
+    Tetrahedra, PlainTetrahedra = "tests/programs/tetrahedral_energies.hlang";
 }
 
 /// The rows of a table without its first column and line.
@@ -134,6 +136,99 @@ fn symmetric_dirichlet_energies() {
                     .fold(0.0, f64::max);
                 assert!(error < 1e-9, "not symmetric: {error}");
             }
+        }
+    }
+}
+
+/// The vertices and tetrahedra of a MEDIT file.
+fn tetrahedra(file: &Path) -> (Vec<DVec3>, Vec<[u32; 4]>) {
+    let text = fs::read_to_string(file).unwrap();
+    let section = |name: &'static str| {
+        let mut words = text
+            .split_whitespace()
+            .skip_while(move |word| *word != name);
+        words.next();
+        let n: usize = words.next().unwrap().parse().unwrap();
+        (n, words)
+    };
+    let (n, words) = section("Vertices");
+    let numbers: Vec<f64> = words.take(4 * n).map(|x| x.parse().unwrap()).collect();
+    let positions = numbers
+        .chunks(4)
+        .map(|p| DVec3::new(p[0], p[1], p[2]))
+        .collect();
+    let (n, words) = section("Tetrahedra");
+    let numbers: Vec<u32> = words.take(5 * n).map(|x| x.parse().unwrap()).collect();
+    let cells = numbers
+        .chunks(5)
+        .map(|c| [c[0] - 1, c[1] - 1, c[2] - 1, c[3] - 1])
+        .collect();
+    (positions, cells)
+}
+
+#[test]
+fn energies_of_tetrahedra() {
+    let Some(set) = support::reference_set() else {
+        return;
+    };
+    let rest = tetrahedra(&set.join("meshes/kuhn_cube3.mesh"));
+    let folder = set.join("ref/kuhn_cube3/energy");
+    let x: Vec<DVec3> = table(&folder.join("x_deformed.csv"))
+        .iter()
+        .map(|row| DVec3::new(row[0], row[1], row[2]))
+        .collect();
+    let mesh = CellMesh::from_tetrahedra(rest.0.len(), &rest.1).unwrap();
+    let m = Tetrahedra::new(&mesh, &rest.0, &x).unwrap();
+    let n = PlainTetrahedra::new(&mesh, &rest.0, &x).unwrap();
+    for (name, e, g, h, psd, tolerance) in [
+        (
+            "SD",
+            [m.e1(), n.e1()],
+            [m.g1(), n.g1()],
+            [m.H1(), n.H1()],
+            Some([m.P1(), n.P1()]),
+            1e-9,
+        ),
+        (
+            "EXP_SD",
+            [m.e2(), n.e2()],
+            [m.g2(), n.g2()],
+            [m.H2(), n.H2()],
+            None,
+            1e-8,
+        ),
+        (
+            "AMIPS",
+            [m.e3(), n.e3()],
+            [m.g3(), n.g3()],
+            [m.H3(), n.H3()],
+            None,
+            1e-9,
+        ),
+        (
+            "CONF_AMIPS",
+            [m.e4(), n.e4()],
+            [m.g4(), n.g4()],
+            [m.H4(), n.H4()],
+            Some([m.P4(), n.P4()]),
+            1e-9,
+        ),
+    ] {
+        let json = fs::read_to_string(folder.join(format!("{name}.json"))).unwrap();
+        let energy = Json::parse(&json).get("energy").unwrap().number();
+        check(&e, &[energy, energy], tolerance);
+        let gradient = table(&folder.join(format!("{name}_gradient.csv"))).concat();
+        for g in g {
+            check(g.as_slice(), &gradient, tolerance);
+        }
+        for h in h {
+            let (found, expected) = lower(&folder.join(format!("{name}_hessian_lower.mtx")), &h);
+            check(&found, &expected, tolerance);
+        }
+        for psd in psd.into_iter().flatten() {
+            let file = folder.join(format!("{name}_hessian_psd_lower.mtx"));
+            let (found, expected) = lower(&file, &psd);
+            check(&found, &expected, 1e-7);
         }
     }
 }
