@@ -147,7 +147,7 @@ fn sequences_in_the_order_of_vec() {
         DMat2::from_cols_array(&[5.0, 6.0, 7.0, 8.0]),
     ];
     let r = DMat2::from_cols_array(&[1.0, 0.5, -1.0, 2.0]);
-    let module = Shapes::new(&x, &q, r, &[2.0, 3.0]).unwrap();
+    let module = Shapes::new(x, q, r, [2.0, 3.0]).unwrap();
     let gram = r.transpose() * r;
     let (g0, g1) = (4.0 * (gram * x[0]), 6.0 * (gram * x[1]));
     same(&module.gx(), &dvector![g0.x, g0.y, g1.x, g1.y]);
