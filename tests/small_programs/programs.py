@@ -1695,3 +1695,150 @@ x ∈ ℝ^n""",
     [integer(3), pairs([(1, 2)]), vector(u3)],
     y=(np.eye(3) + np.array([[0, 0.5, 0], [0, 0, 0], [0, 0, 0]])) @ u3,
 )
+
+
+def hofstadter_female(n):
+    return 1 if n == 0 else n - hofstadter_male(hofstadter_female(n - 1))
+
+
+def hofstadter_male(n):
+    return 0 if n == 0 else n - hofstadter_female(hofstadter_male(n - 1))
+
+
+case(
+    "mutual_recursion",
+    """A(n) = { 1 if n = 0
+         n - B(A(n - 1)) otherwise where n ∈ ℤ
+B(n) = { 0 if n = 0
+         n - A(B(n - 1)) otherwise where n ∈ ℤ
+y_i = A(k_i)
+z_i = B(k_i)
+k_i ∈ ℤ""",
+    [sequence([integer(k) for k in (0, 1, 2, 5, 9)])],
+    y=[hofstadter_female(k) for k in (0, 1, 2, 5, 9)],
+    z=[hofstadter_male(k) for k in (0, 1, 2, 5, 9)],
+)
+
+
+def chained(n):
+    return 1 if n == 0 else (chained(n - 1) + a * n) / 2
+
+
+case(
+    "recursion_in_a_circle",
+    """f(n) = { 1 if n = 0
+         g(n - 1, n)/2 otherwise where n ∈ ℤ
+g(n, m) = h(n) + a m where n, m ∈ ℤ
+h(n) = f(n) where n ∈ ℤ
+y = f(4)
+z = h(3)
+a ∈ ℝ""",
+    [real(a)],
+    y=chained(4),
+    z=chained(3),
+)
+case(
+    "recursion_from_integer_to_real",
+    "f(n) = { 1 if n = 0\n         f(n - 1)/2 + 1 otherwise where n ∈ ℤ\ny = f(3)",
+    [],
+    y=1.875,
+)
+case(
+    "sizes_of_sequences",
+    "k, r = #x\nl, s, t = #q\nn = #w\nm = |x|\np, u = #y\nwhere\nx_i ∈ ℝ³\nq_i ∈ ℝ^(2×c)\nw_i ∈ ℝ\ny_j ∈ ℝ^(d_j)",
+    [
+        SX,
+        sequence([matrix(M45[:2]) for _ in xs]),
+        SW,
+        sequence([vector(n5), vector(u3)]),
+    ],
+    k=4,
+    r=3,
+    l=4,
+    s=2,
+    t=5,
+    n=4,
+    m=4,
+    p=2,
+    u=[5, 3],
+)
+case(
+    "columns_and_vectors",
+    """f(u) = u_1 + 2u_3 where u ∈ ℝ³
+g(A) = A_1,1 + 2A_3,1 where A ∈ ℝ^(3×1)
+h(A) = 2A_1,1 where A ∈ ℝ^(1×1)
+k(a) = 2a where a ∈ ℝ
+y = [1; 2; 3] + u
+z = u - [1; 2; 3]
+s = [a] + 1
+t = f([1; 2; 3]) + g(u) + h(3) + k([4])
+p = u
+p_2 = [7]
+p += [1; 1; 1]
+r = { [1; 2; 3] if u_1 > 5
+      u otherwise
+where
+u ∈ ℝ³
+a ∈ ℝ""",
+    [fixed_vector(u3), real(a)],
+    y=u3 + [1, 2, 3],
+    z=u3 - [1, 2, 3],
+    s=a + 1,
+    t=7 + u3[0] + 2 * u3[2] + 6 + 8,
+    p=[u3[0] + 1, 8, u3[2] + 1],
+    r=u3,
+)
+case(
+    "matrix_before_vector",
+    "f(A) = A_1,1 where A ∈ ℝ^(n×m)\nf(u) = u_1 + 10 where u ∈ ℝ^n\ny = f([a; b])\nz = f((a, b))\nwhere\na, b ∈ ℝ",
+    [real(a), real(b)],
+    y=a,
+    z=a + 10,
+)
+case(
+    "function_by_another_name",
+    "g = f\nk = g\nψ = φ\ny = k(a) + ∑_i ψ_i(a)\nwhere\nf ∈ ℝ → ℝ\nφ_i ∈ ℝ → ℝ\na ∈ ℝ",
+    [
+        rust("|x: f64| x * x + 1.0"),
+        rust("[(|x: f64| x) as fn(f64) -> f64, |x: f64| 3.0 * x]"),
+        real(a),
+    ],
+    y=a * a + 1 + 4 * a,
+)
+case(
+    "set_added_to",
+    "T = S\nT += {7, 2}\nwhere\nS ∈ {ℤ}",
+    [integer_set([2, 5])],
+    T=[2, 5, 7],
+)
+case(
+    "optima_in_cases",
+    """y = { min_(t ∈ ℝ) (t - a)² + 1 if a > 2
+      min_(t ∈ ℝ) (t - a)² + 2 s.t. t ≥ 3
+      if a > 1
+      0 otherwise
+z = { argmin_(k ∈ ℤ) (k - b)²
+        s.t. -3 ≤ k
+             k ≤ 3
+      otherwise
+where
+a, b ∈ ℝ""",
+    [real(a), real(b)],
+    y=(3 - a) ** 2 + 2,
+    z=-1,
+)
+case(
+    "ranked_overloads",
+    """g(k) = 1 where k ∈ ℤ
+g(k) = 2 where k ∈ ℝ
+g(u) = 3 where u ∈ ℝ³
+g(u) = 4 where u ∈ ℝ^n
+h(k) = 1 + k where k ∈ ℝ
+h(u) = 5 where u ∈ ℝ³
+y = (g(1), g(1.5), g(p), g(q), h(2), h(p))
+where
+p ∈ ℝ³
+q ∈ ℝ²""",
+    [fixed_vector(u3), fixed_vector(e1)],
+    y=[1, 2, 3, 4, 3, 5],
+)

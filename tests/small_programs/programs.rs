@@ -583,6 +583,10 @@ where
 P ∈ {ℤ×ℤ}
 A ∈ ℝ^(4×4)"##;
 
+Ragged, PlainRagged = r##"b = ∑_i ‖x_i‖
+where
+x_i ∈ ℝ^(n_i)"##;
+
 ExpressionSizes, PlainExpressionSizes = r##"y = A b
 where
 A ∈ ℝ^((n+1)×n)
@@ -1268,6 +1272,11 @@ y = 2 ∫_a^b t^2 + 1 𝕕t
 where
 a,b ∈ ℝ"##;
 
+RaggedMatrices, PlainRaggedMatrices = r##"y = ∑_i tr(A_iᵀ A_i)
+tr from linearalgebra
+where
+A_i ∈ ℝ^(m_i×n_i)"##;
+
 SparseDeclaredRows, PlainSparseDeclaredRows = r##"A ∈ ℝ^(n×n)
 n ∈ ℤ
 A_ij = { 1 if i = j
@@ -1275,6 +1284,97 @@ A_ij = { 1 if i = j
 P ∈ {ℤ×ℤ}
 y = A x
 x ∈ ℝ^n"##;
+
+MutualRecursion, PlainMutualRecursion = r##"A(n) = { 1 if n = 0
+         n - B(A(n - 1)) otherwise where n ∈ ℤ
+B(n) = { 0 if n = 0
+         n - A(B(n - 1)) otherwise where n ∈ ℤ
+y_i = A(k_i)
+z_i = B(k_i)
+k_i ∈ ℤ"##;
+
+RecursionInACircle, PlainRecursionInACircle = r##"f(n) = { 1 if n = 0
+         g(n - 1, n)/2 otherwise where n ∈ ℤ
+g(n, m) = h(n) + a m where n, m ∈ ℤ
+h(n) = f(n) where n ∈ ℤ
+y = f(4)
+z = h(3)
+a ∈ ℝ"##;
+
+RecursionFromIntegerToReal, PlainRecursionFromIntegerToReal = r##"f(n) = { 1 if n = 0
+         f(n - 1)/2 + 1 otherwise where n ∈ ℤ
+y = f(3)"##;
+
+SizesOfSequences, PlainSizesOfSequences = r##"k, r = #x
+l, s, t = #q
+n = #w
+m = |x|
+p, u = #y
+where
+x_i ∈ ℝ³
+q_i ∈ ℝ^(2×c)
+w_i ∈ ℝ
+y_j ∈ ℝ^(d_j)"##;
+
+ColumnsAndVectors, PlainColumnsAndVectors = r##"f(u) = u_1 + 2u_3 where u ∈ ℝ³
+g(A) = A_1,1 + 2A_3,1 where A ∈ ℝ^(3×1)
+h(A) = 2A_1,1 where A ∈ ℝ^(1×1)
+k(a) = 2a where a ∈ ℝ
+y = [1; 2; 3] + u
+z = u - [1; 2; 3]
+s = [a] + 1
+t = f([1; 2; 3]) + g(u) + h(3) + k([4])
+p = u
+p_2 = [7]
+p += [1; 1; 1]
+r = { [1; 2; 3] if u_1 > 5
+      u otherwise
+where
+u ∈ ℝ³
+a ∈ ℝ"##;
+
+MatrixBeforeVector, PlainMatrixBeforeVector = r##"f(A) = A_1,1 where A ∈ ℝ^(n×m)
+f(u) = u_1 + 10 where u ∈ ℝ^n
+y = f([a; b])
+z = f((a, b))
+where
+a, b ∈ ℝ"##;
+
+FunctionByAnotherName, PlainFunctionByAnotherName = r##"g = f
+k = g
+ψ = φ
+y = k(a) + ∑_i ψ_i(a)
+where
+f ∈ ℝ → ℝ
+φ_i ∈ ℝ → ℝ
+a ∈ ℝ"##;
+
+SetAddedTo, PlainSetAddedTo = r##"T = S
+T += {7, 2}
+where
+S ∈ {ℤ}"##;
+
+OptimaInCases, PlainOptimaInCases = r##"y = { min_(t ∈ ℝ) (t - a)² + 1 if a > 2
+      min_(t ∈ ℝ) (t - a)² + 2 s.t. t ≥ 3
+      if a > 1
+      0 otherwise
+z = { argmin_(k ∈ ℤ) (k - b)²
+        s.t. -3 ≤ k
+             k ≤ 3
+      otherwise
+where
+a, b ∈ ℝ"##;
+
+RankedOverloads, PlainRankedOverloads = r##"g(k) = 1 where k ∈ ℤ
+g(k) = 2 where k ∈ ℝ
+g(u) = 3 where u ∈ ℝ³
+g(u) = 4 where u ∈ ℝ^n
+h(k) = 1 + k where k ∈ ℝ
+h(u) = 5 where u ∈ ℝ³
+y = (g(1), g(1.5), g(p), g(q), h(2), h(p))
+where
+p ∈ ℝ³
+q ∈ ℝ²"##;
 
 }
 
@@ -1931,6 +2031,12 @@ fn sparse_pairs() {
 fn sparse_ones() {
     let module = SparseOnes::new(Set::<(i64, i64)>::from_iter([(1_i64, 2_i64), (3_i64, 3_i64)])).unwrap();
     check("A", &module.A(), &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn ragged() {
+    let module = Ragged::new(vec![DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031]), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])]).unwrap();
+    check("b", &module.b(), &[4.362915455538052]);
 }
 
 #[test]
@@ -2817,9 +2923,92 @@ fn integral_expression() {
 }
 
 #[test]
+fn ragged_matrices() {
+    let module = RaggedMatrices::new(vec![DMatrix::<f64>::from_column_slice(4, 5, &[-0.708, 0.36, -0.239, -1.14, -1.399, 0.42, -1.042, 0.687, 1.265, 0.552, -0.39, -0.798, -0.482, 0.706, -1.613, 1.496, 1.915, -1.397, 1.871, 0.649]), DMatrix::<f64>::from_column_slice(2, 2, &[1.669, 0.056, 0.517, -0.013])]).unwrap();
+    check("y", &module.y(), &[26.540128000000003]);
+}
+
+#[test]
 fn sparse_declared_rows() {
     let module = SparseDeclaredRows::new(3_i64, Set::<(i64, i64)>::from_iter([(1_i64, 2_i64)]), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])).unwrap();
     check("y", &module.y(), &[-1.459, -0.522, -1.985]);
+}
+
+#[test]
+fn mutual_recursion() {
+    let module = MutualRecursion::new(vec![0_i64, 1_i64, 2_i64, 5_i64, 9_i64]).unwrap();
+    check("y", &module.y(), &[1.0, 1.0, 2.0, 3.0, 6.0]);
+    check("z", &module.z(), &[0.0, 0.0, 1.0, 3.0, 6.0]);
+}
+
+#[test]
+fn recursion_in_a_circle() {
+    let module = RecursionInACircle::new(1.5_f64).unwrap();
+    check("y", &module.y(), &[4.65625]);
+    check("z", &module.z(), &[3.3125]);
+}
+
+#[test]
+fn recursion_from_integer_to_real() {
+    let module = RecursionFromIntegerToReal::new().unwrap();
+    check("y", &module.y(), &[1.875]);
+}
+
+#[test]
+fn sizes_of_sequences() {
+    let module = SizesOfSequences::new(vec![DVec3::new(-0.353, 1.691, -1.725), DVec3::new(-0.28, 0.078, 1.804), DVec3::new(-0.996, 1.224, 0.706), DVec3::new(0.868, 0.518, 1.886)], vec![DMatrix::<f64>::from_column_slice(2, 5, &[-0.708, 0.36, -1.399, 0.42, 1.265, 0.552, -0.482, 0.706, 1.915, -1.397]), DMatrix::<f64>::from_column_slice(2, 5, &[-0.708, 0.36, -1.399, 0.42, 1.265, 0.552, -0.482, 0.706, 1.915, -1.397]), DMatrix::<f64>::from_column_slice(2, 5, &[-0.708, 0.36, -1.399, 0.42, 1.265, 0.552, -0.482, 0.706, 1.915, -1.397]), DMatrix::<f64>::from_column_slice(2, 5, &[-0.708, 0.36, -1.399, 0.42, 1.265, 0.552, -0.482, 0.706, 1.915, -1.397])], vec![-0.669_f64, -0.407_f64, -1.188_f64, -1.797_f64], vec![DVector::<f64>::from_column_slice(&[0.559, 0.967, -1.634, 0.165, 0.031]), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])]).unwrap();
+    check("k", &module.k(), &[4.0]);
+    check("r", &module.r(), &[3.0]);
+    check("l", &module.l(), &[4.0]);
+    check("s", &module.s(), &[2.0]);
+    check("t", &module.t(), &[5.0]);
+    check("n", &module.n(), &[4.0]);
+    check("m", &module.m(), &[4.0]);
+    check("p", &module.p(), &[2.0]);
+    check("u", &module.u(), &[5.0, 3.0]);
+}
+
+#[test]
+fn columns_and_vectors() {
+    let module = ColumnsAndVectors::new(DVec3::new(-1.198, -0.522, -1.985), 1.5_f64).unwrap();
+    check("y", &module.y(), &[-0.19799999999999995, 1.478, 1.015]);
+    check("z", &module.z(), &[-2.198, -2.5220000000000002, -4.985]);
+    check("s", &module.s(), &[2.5]);
+    check("t", &module.t(), &[15.831999999999999]);
+    check("p", &module.p(), &[-0.19799999999999995, 8.0, -0.9850000000000001]);
+    check("r", &module.r(), &[-1.198, -0.522, -1.985]);
+}
+
+#[test]
+fn matrix_before_vector() {
+    let module = MatrixBeforeVector::new(1.5_f64, -0.75_f64).unwrap();
+    check("y", &module.y(), &[1.5]);
+    check("z", &module.z(), &[11.5]);
+}
+
+#[test]
+fn function_by_another_name() {
+    let module = FunctionByAnotherName::new(|x: f64| x * x + 1.0, [(|x: f64| x) as fn(f64) -> f64, |x: f64| 3.0 * x], 1.5_f64).unwrap();
+    check("y", &module.y(), &[9.25]);
+}
+
+#[test]
+fn set_added_to() {
+    let module = SetAddedTo::new(Set::<i64>::from_iter([2_i64, 5_i64])).unwrap();
+    check("T", &module.T(), &[2.0, 5.0, 7.0]);
+}
+
+#[test]
+fn optima_in_cases() {
+    let module = OptimaInCases::new(1.5_f64, -0.75_f64).unwrap();
+    check("y", &module.y(), &[4.25]);
+    check("z", &module.z(), &[-1.0]);
+}
+
+#[test]
+fn ranked_overloads() {
+    let module = RankedOverloads::new(DVec3::new(-1.198, -0.522, -1.985), DVec2::new(0.541, -1.264)).unwrap();
+    check("y", &module.y(), &[1.0, 2.0, 3.0, 4.0, 3.0, 5.0]);
 }
 
 }

@@ -3,10 +3,10 @@
 use super::Checker;
 use super::wording::{KINDS, ONE_MESH};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Binary, ExprId, Kind};
+use crate::ir::{Binary, ExprId, Kind, Unary};
 use crate::syntax::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind};
-use crate::types::Type;
 use crate::types::display::plural;
+use crate::types::{Number, Type};
 
 impl<'a> Checker<'a> {
     /// Checks a condition.
@@ -156,7 +156,13 @@ impl<'a> Checker<'a> {
             self.report(diagnostic);
             return self.no_condition();
         };
-        let value = self.convert(value, member);
+        let value = match (&ty, &**member) {
+            // an element is its number, counted from 1
+            (Type::Element(_), Type::Scalar(Number::Integer)) => {
+                self.add(Kind::Unary(Unary::ToInteger, value), Type::INTEGER)
+            }
+            _ => self.convert(value, member),
+        };
         if self.ty(value) == &**member {
             return self.add(Kind::Member(value, set_value), Type::Boolean);
         }

@@ -134,6 +134,33 @@ impl Checker<'_> {
         Some(self.sizes_of_items(sequence, axis))
     }
 
+    /// `#x` of a sequence: the number of its items, and behind it the sizes of each where it has some.
+    pub(super) fn sizes_of_sequence(&mut self, sequence: ExprId) -> ExprId {
+        let length = self.extent(sequence, 0);
+        let Type::Sequence { item, .. } = self.ty(sequence).clone() else {
+            return length;
+        };
+        let sizes = match &*item {
+            Type::Vector { length, .. } => vec![length],
+            Type::Matrix { rows, columns, .. } => vec![rows, columns],
+            _ => return length,
+        };
+        let mut items = vec![length];
+        for (axis, size) in sizes.into_iter().enumerate() {
+            let axis = axis as u8;
+            items.push(match size.is_ragged() {
+                true => self.sizes_of_items(sequence, axis),
+                false => self.size(size).unwrap_or_else(|| {
+                    let one = self.program.arena.integer(1);
+                    let first = self.add(Kind::Item(sequence, one), (*item).clone());
+                    self.size_of_first(length, first, axis)
+                }),
+            });
+        }
+        let types = items.iter().map(|item| self.ty(*item).clone()).collect();
+        self.add(Kind::Tuple(items), Type::Tuple(types))
+    }
+
     /// The sizes of the items of a sequence, as a sequence.
     pub(super) fn sizes_of_items(&mut self, sequence: ExprId, axis: u8) -> ExprId {
         if let Some((sizes, _)) = self

@@ -1,9 +1,10 @@
-//! Functions: their signatures, their bodies, recursion.
+//! Functions: their signatures, what their bodies are checked with.
 
 use std::collections::BTreeSet;
 
 use super::Checker;
 use super::declare::Declared;
+use super::recursion::Body;
 use super::scope::{Binding, Scope};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Function, FunctionId, Kind, Parameter};
@@ -225,34 +226,16 @@ impl<'a> Checker<'a> {
                 .entry(name.clone())
                 .or_insert(Binding::Value(*size));
         }
-        let templates = std::mem::replace(&mut self.templates, templates);
         self.program.functions[id.0 as usize].parameters = parameters;
         self.bind_locals(&mut scope, &syntax.locals);
-        let before = self.diagnostics.clone();
-        let mut body = self.with_scope(scope.clone(), |checker| checker.function_value(syntax));
-        if self.recursive.contains(&id) {
-            // the branches that do not recurse have given the type; check all of them with it
-            let ty = self.ty(body).clone();
-            if ty.is_error() {
-                if *self.diagnostics.sorted() == *before.sorted() && !self.circular {
-                    let name = &syntax.name.text;
-                    let message = format!("`{name}` never ends: it needs itself in every case");
-                    self.report(
-                        Diagnostic::error(syntax.name.span, message).help("a branch that gives a value without calling it ends the recursion, as in `{ 1 if k < 1`"),
-                    );
-                }
-            } else {
-                self.results.insert(id, ty);
-                *self.diagnostics = before;
-                body = self.with_scope(scope, |checker| checker.function_value(syntax));
-            }
-        }
-        self.templates = templates;
-        let ty = self.ty(body).clone();
-        self.results.insert(id, ty.clone());
-        let function = &mut self.program.functions[id.0 as usize];
-        function.body = body;
-        function.ty = ty;
+        let module = self.module;
+        self.check_function(Body {
+            id,
+            module,
+            syntax,
+            scope,
+            templates,
+        });
     }
 
     /// Sizes in the types of parameters that are not sizes of the module: they are those of the arguments.
@@ -331,14 +314,14 @@ impl<'a> Checker<'a> {
     }
 
     /// A size of the first of `n` items; 0 where there is none.
-    fn size_of_first(&mut self, n: ExprId, first: ExprId, axis: u8) -> ExprId {
+    pub(super) fn size_of_first(&mut self, n: ExprId, first: ExprId, axis: u8) -> ExprId {
         let zero = self.program.arena.integer(0);
         let size = self.add(Kind::Extent(first, axis), Type::INTEGER);
         let none = self.add(Kind::Compare(ast::CompareOp::Equal, n, zero), Type::Boolean);
         self.add(Kind::If(none, zero, size), Type::INTEGER)
     }
 
-    fn function_value(&mut self, syntax: &'a ast::Function) -> ExprId {
+    pub(super) fn function_value(&mut self, syntax: &'a ast::Function) -> ExprId {
         let body = self.expr(&syntax.body);
         // a local definition that is not used is checked as well
         for definition in &syntax.locals {
@@ -354,31 +337,6 @@ impl<'a> Checker<'a> {
             }
         }
         body
-    }
-
-    /// The type of the result of a function that is called.
-    pub(super) fn result(&mut self, id: FunctionId) -> Type {
-        match self.results.get(&id).cloned() {
-            Some(ty) => {
-                if matches!(
-                    self.program.arena.kind(self.program.function(id).body),
-                    Kind::Fail
-                ) {
-                    self.note_recursion(id);
-                }
-                ty
-            }
-            None => {
-                self.note_recursion(id);
-                Type::Error
-            }
-        }
-    }
-
-    fn note_recursion(&mut self, id: FunctionId) {
-        if !self.recursive.contains(&id) {
-            self.recursive.push(id);
-        }
     }
 
     /// Two definitions of one name must differ in the types of their parameters.

@@ -27,6 +27,7 @@ mod norm;
 mod operator;
 mod optimum;
 mod product;
+mod recursion;
 mod restriction;
 mod scope;
 mod search;
@@ -64,7 +65,7 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         functions: BTreeMap::new(),
         signatures: BTreeMap::new(),
         results: BTreeMap::new(),
-        recursive: Vec::new(),
+        recursion: recursion::Recursion::default(),
         templates: BTreeMap::new(),
         ragged: BTreeMap::new(),
         item_sizes: BTreeMap::new(),
@@ -112,8 +113,8 @@ struct Checker<'a> {
     signatures: BTreeMap<(ModuleId, usize), Signature>,
     /// Types of the results of the functions that are known so far.
     results: BTreeMap<FunctionId, Type>,
-    /// Functions that have been called while they were being checked.
-    recursive: Vec<FunctionId>,
+    /// Functions whose types are not settled.
+    recursion: recursion::Recursion<'a>,
     /// Whether a definition needs its own value, which has been reported.
     circular: bool,
     /// Arguments of imported modules that do not fit, which has been reported.
@@ -176,6 +177,14 @@ impl<'a> Checker<'a> {
         self.ty(e).is_error()
     }
 
+    fn is_function(&self, e: ExprId) -> bool {
+        match self.ty(e) {
+            Type::Function { .. } => true,
+            Type::Sequence { item, .. } => matches!(**item, Type::Function { .. }),
+            _ => false,
+        }
+    }
+
     /// Whether it is in error: an empty set, whose type follows from its place, is not.
     fn is_wrong(&self, e: ExprId) -> bool {
         self.is_error(e) && !self.is_empty_set(e)
@@ -215,7 +224,8 @@ impl<'a> Checker<'a> {
                 ItemKind::Definition(definition) => {
                     let values = self.definition(ModuleId(0), index);
                     for (target, value) in definition.targets.iter().zip(values) {
-                        if self.is_error(value) {
+                        // another name of a function is no value of its own
+                        if self.is_error(value) || self.is_function(value) {
                             continue;
                         }
                         self.export_global(&target.name.text, value, item.span);
@@ -236,9 +246,6 @@ impl<'a> Checker<'a> {
                     self.export_global("ret", value, item.span);
                 }
             }
-        }
-        for (index, function) in self.program.functions.iter_mut().enumerate() {
-            function.recursive |= self.recursive.contains(&FunctionId(index as u32));
         }
     }
 

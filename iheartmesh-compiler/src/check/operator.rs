@@ -78,7 +78,9 @@ impl<'a> Checker<'a> {
             (UnaryOp::Size, None) if matches!(ty, Type::Set(_)) => {
                 self.add(Kind::Cardinality(value), Type::INTEGER)
             }
-            (UnaryOp::Size, None) if matches!(ty, Type::Sequence { .. }) => self.extent(value, 0),
+            (UnaryOp::Size, None) if matches!(ty, Type::Sequence { .. }) => {
+                self.sizes_of_sequence(value)
+            }
             _ => {
                 let (name, takes) = match op {
                     UnaryOp::Negate => ("negate", "numbers, vectors and matrices"),
@@ -364,6 +366,12 @@ impl<'a> Checker<'a> {
                 let (a, b) = self.common(a, b);
                 let ty = self.ty(a).clone();
                 Some(self.add_at(span, Kind::Binary(op, a, b), ty))
+            }
+            (Type::Set(_), Type::Set(_)) if op == Binary::Add => {
+                let (a, b) = self.common(a, b);
+                let ty = self.ty(a).clone();
+                (ty == *self.ty(b) && !ty.is_error())
+                    .then(|| self.add(Kind::SetOp(SetOp::Union, a, b), ty))
             }
             _ if self.same_shape(&ta, &tb).is_some() => {
                 let shape = self.same_shape(&ta, &tb).unwrap_or(Shape::Scalar);

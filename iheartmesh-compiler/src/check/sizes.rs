@@ -12,8 +12,12 @@ use crate::types::{Atom, Dimension, Shape, Type};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Fit {
     Exact,
+    /// An integer as a real number, or a sparse matrix as a dense one.
     Promoted,
+    /// Sizes that the argument brings along.
     Template,
+    /// A matrix with one column as a vector, a 1×1 matrix as a number, or the other way round.
+    Reshaped,
 }
 
 /// How an argument fits a parameter, whatever sizes it brings along.
@@ -64,12 +68,22 @@ pub(super) fn fit(
                 fit_size(&n, &p, is_template, sizes)?.max(fit_size(&m, &q, is_template, sizes)?)
             }
             (Shape::Vector(n), Shape::Matrix(m, one)) if one == Dimension::known(1) => {
-                fit_size(&n, &m, is_template, sizes)?.max(Fit::Promoted)
+                fit_size(&n, &m, is_template, sizes)?;
+                Fit::Reshaped
+            }
+            (Shape::Matrix(m, one), Shape::Vector(n)) if one == Dimension::known(1) => {
+                fit_size(&m, &n, is_template, sizes)?;
+                Fit::Reshaped
+            }
+            (Shape::Matrix(n, m), Shape::Scalar)
+                if n.value() == Some(1) && m.value() == Some(1) =>
+            {
+                Fit::Reshaped
             }
             (Shape::Scalar, Shape::Matrix(n, m))
                 if n == Dimension::known(1) && m == Dimension::known(1) =>
             {
-                Fit::Promoted
+                Fit::Reshaped
             }
             _ => return None,
         };

@@ -93,6 +93,8 @@ struct Layout<'a> {
     partners: Vec<u32>,
     out: Vec<Token>,
     mode: Mode,
+    /// Whether this is in a branch of a piecewise value.
+    branches: bool,
     /// The open brackets that are closed somewhere.
     open: Vec<Kind>,
     /// Number of tokens looked at.
@@ -107,6 +109,7 @@ pub(super) fn lay_out(mut raw: Vec<Token>) -> (Vec<Token>, usize) {
         raw: &raw,
         out: Vec::with_capacity(raw.len()),
         mode: Mode::Items,
+        branches: false,
         open: Vec::new(),
         steps: Cell::new(0),
     };
@@ -145,8 +148,14 @@ impl Layout<'_> {
             }
         }
         if self.open.is_empty() {
+            match token.kind {
+                Kind::Piecewise => self.branches = true,
+                Kind::Where => self.branches = false,
+                _ => {}
+            }
             self.mode = match token.kind {
                 Kind::Piecewise => Mode::Branches,
+                Kind::If | Kind::Otherwise if self.branches => Mode::Branches,
                 Kind::Where => Mode::Items,
                 Kind::SuchThat => Mode::Constraints,
                 Kind::Initial => Mode::Initial,
@@ -189,15 +198,16 @@ impl Layout<'_> {
                     }
                 }
                 Kind::With | Kind::SuchThat => return None,
+                Kind::If | Kind::Otherwise if self.branches => return None,
                 Kind::Optimise(_) if self.mode == Mode::Initial => return None,
                 _ => {}
             }
         }
         let found = match self.mode {
             Mode::Items => false,
-            Mode::Branches => self.first(next, Kind::starts_no_branch, |kind| {
-                matches!(kind, Kind::If | Kind::Otherwise)
-            }),
+            Mode::Branches => self.begins_branch(next),
+            // what follows a restriction may be the next branch
+            Mode::Constraints if self.branches && self.begins_branch(next) => true,
             Mode::Constraints if semicolon => self.first(next, |_| false, Kind::is_relation),
             // no definition begins like this, and no type
             Mode::Constraints
@@ -216,7 +226,14 @@ impl Layout<'_> {
             return Some(Kind::Branch);
         }
         self.mode = Mode::Items;
+        self.branches = false;
         Some(Kind::Newline)
+    }
+
+    fn begins_branch(&self, from: usize) -> bool {
+        self.first(from, Kind::starts_no_branch, |kind| {
+            matches!(kind, Kind::If | Kind::Otherwise)
+        })
     }
 
     /// Whether a line says that something is in an interval, `… ∈ [a, b]`.
@@ -245,7 +262,15 @@ impl Layout<'_> {
             if wanted(kind) {
                 return Some(index);
             }
-            if stop(kind) || matches!(kind, Kind::Newline | Kind::Semicolon | Kind::End) {
+            let is_end = match kind {
+                Kind::Newline => !matches!(
+                    self.raw[index + 1].kind,
+                    Kind::SuchThat | Kind::If | Kind::Otherwise
+                ),
+                Kind::Semicolon | Kind::End => true,
+                _ => stop(kind),
+            };
+            if is_end {
                 return None;
             }
             let partner = self.partners[index];

@@ -7,6 +7,7 @@
 
 pub mod ast;
 pub mod builtin;
+mod copies;
 mod dump;
 mod export;
 mod format;

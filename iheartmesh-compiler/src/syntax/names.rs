@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::copies::Copies;
 use super::import_names::import_header;
 use super::layout::{NONE, partners};
 use super::letters::letter;
@@ -53,6 +54,7 @@ struct Collector<'a> {
     item: ItemNames,
     /// Names declared by the `where` of the item.
     declared: BTreeSet<String>,
+    copies: Copies,
 }
 
 /// Runs the first pass over laid-out tokens.
@@ -65,6 +67,7 @@ pub(super) fn collect(tokens: &[Token], texts: &Texts, imports: &dyn ImportedNam
         module: Names::new(),
         item: ItemNames::default(),
         declared: BTreeSet::new(),
+        copies: Copies::default(),
     };
     let mut items = Vec::new();
     let mut start = 0;
@@ -77,6 +80,7 @@ pub(super) fn collect(tokens: &[Token], texts: &Texts, imports: &dyn ImportedNam
             start = index + 1;
         }
     }
+    std::mem::take(&mut collector.copies).follow(&mut collector.module);
     Collected {
         module: collector.module,
         items,
@@ -128,6 +132,7 @@ impl Collector<'_> {
             return self.inside(statement.next..range.end);
         }
         self.inside(statement.next..range.end);
+        self.note_copy(&statement, range.end);
         let mut function = statement.parameters.is_some();
         if let Some(parameters) = statement.parameters.clone() {
             for index in parameters {
@@ -146,6 +151,19 @@ impl Collector<'_> {
             add(&mut self.module, name, function);
         }
         self.item.function = function && statement.targets.len() == 1;
+    }
+
+    /// `g = f`: a function if `f` is one.
+    fn note_copy(&mut self, statement: &Statement, end: usize) {
+        if let ([(name, subscripts)], None, Some((of, next))) = (
+            statement.targets.as_slice(),
+            &statement.parameters,
+            self.name(statement.next),
+        ) && next == end
+            && subscripts.is_empty()
+        {
+            self.copies.add(name.clone(), of);
+        }
     }
 
     /// The names that a run of subscript letters stands for: itself if it is declared, its letters otherwise.
