@@ -66,7 +66,7 @@ impl<'a> Checker<'a> {
                     }
                     None => {
                         let variable = self.bind_index(&mut scope, name);
-                        (variable, Range::Rows, scope)
+                        (variable, Range::Rows { of: None }, scope)
                     }
                 }
             }
@@ -81,7 +81,7 @@ impl<'a> Checker<'a> {
         });
         let ty = self.ty(value).clone();
         let range = match head {
-            Head::Index(_) | Head::Filtered(..) if range != Range::Rows => range,
+            Head::Index(_) | Head::Filtered(..) if range != (Range::Rows { of: None }) => range,
             Head::Index(_) | Head::Filtered(..) if ty.is_error() => {
                 self.index_uses.remove(&variable);
                 range

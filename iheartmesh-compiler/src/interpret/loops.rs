@@ -26,17 +26,19 @@ impl<'a> Interpreter<'a> {
                 let (from, to) = (self.number(scope, *from)?, self.number(scope, *to)?);
                 return Ok((from..=to).map(Value::Integer).collect());
             }
-            Range::Rows => match scope.plan.and_then(|p| p.space(variable)).map(|s| s.rows) {
-                Some(Rows::Members(set)) => set,
-                Some(Rows::Universe(element)) => {
-                    let n = self.meshes[&element.mesh].count(element_dimension(element.kind));
-                    return Ok((0..n as u32).map(Value::Element).collect());
+            Range::Rows { .. } => {
+                match scope.plan.and_then(|p| p.space(variable)).map(|s| s.rows) {
+                    Some(Rows::Members(set)) => set,
+                    Some(Rows::Universe(element)) => {
+                        let n = self.meshes[&element.mesh].count(element_dimension(element.kind));
+                        return Ok((0..n as u32).map(Value::Element).collect());
+                    }
+                    _ => panic!(
+                        "bug in iheartmesh: no rows in {}",
+                        crate::ir::expression(self.program, e)
+                    ),
                 }
-                _ => panic!(
-                    "bug in iheartmesh: no rows in {}",
-                    crate::ir::expression(self.program, e)
-                ),
-            },
+            }
         };
         self.members(scope, set)
     }

@@ -140,8 +140,10 @@ impl Arena {
         {
             free.retain(|v| v != variable);
             // the range is outside the scope of the variable; it cannot hold it, since each variable has one binder
-            if let Range::Set(set) = range {
-                debug_assert!(!self.depends_on(*set, *variable));
+            match range {
+                Range::Set(set) => debug_assert!(!self.depends_on(*set, *variable)),
+                Range::Rows { of: Some(outer) } => free.push(*outer),
+                Range::Integers(..) | Range::Rows { of: None } => {}
             }
         }
         if let Kind::Tabulate { variables, .. } | Kind::Optimum { variables, .. } = kind {
@@ -274,7 +276,7 @@ macro_rules! each_operand {
                         visit(from);
                         visit(to);
                     }
-                    Range::Rows => {}
+                    Range::Rows { .. } => {}
                 }
                 condition.$iter().for_each(&mut visit);
                 visit(body);

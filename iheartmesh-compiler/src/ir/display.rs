@@ -388,7 +388,7 @@ impl Writer<'_> {
                         self.put("..=");
                         self.expr(*to);
                     }
-                    Range::Rows => self.put("rows"),
+                    Range::Rows { .. } => self.put("rows"),
                 }
                 if let Some(condition) = condition {
                     self.put(" if ");

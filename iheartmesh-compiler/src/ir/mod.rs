@@ -229,8 +229,12 @@ pub enum Range {
     Set(ExprId),
     /// The integers from the first to the second, both included.
     Integers(ExprId, ExprId),
-    /// The rows of a plan: the space that has the bound variable's name. The variable's own value is a column.
-    Rows,
+    /// The rows of a plan: the space that has the bound variable's name. The variable's own value is a column. `of` is the
+    /// variable whose rows these belong to, if they differ from one of its rows to the next: the loop depends on it.
+    Rows {
+        /// The variable of the space that this one is below.
+        of: Option<VariableId>,
+    },
 }
 
 /// What restricts the variables of a [`Kind::Optimum`].

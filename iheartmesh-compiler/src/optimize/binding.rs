@@ -110,7 +110,7 @@ impl Expressions<'_> {
                 let range_is_static = match range {
                     Range::Set(set) => self.is_static(*set),
                     Range::Integers(from, to) => self.is_static(*from) && self.is_static(*to),
-                    Range::Rows => false,
+                    Range::Rows { .. } => false,
                 };
                 if range_is_static {
                     self.variables.push(*variable);

@@ -60,7 +60,7 @@ fn loops(arena: &Arena, e: ExprId, seen: &mut BTreeSet<ExprId>, sums: &mut BTree
     let ty = arena.ty(e);
     if let Kind::Fold {
         op: Fold::Sum,
-        range: Range::Rows,
+        range: Range::Rows { .. },
         condition: None,
         ..
     } = arena.kind(e)
@@ -145,7 +145,7 @@ fn split(program: &mut Program, plan: &mut Plan, sum: ExprId, share: bool) -> Op
         Kind::Fold {
             op: Fold::Sum,
             variable: corner,
-            range: Range::Rows,
+            range: Range::Rows { of: Some(key) },
             condition: None,
             body: turned,
         },

@@ -80,7 +80,7 @@ fn loops(arena: &Arena, body: ExprId, found: &mut Vec<(VariableId, ExprId)>) {
     super::reachable(arena, body, &mut |kind| {
         if let Kind::Fold {
             variable,
-            range: Range::Rows,
+            range: Range::Rows { .. },
             condition: None,
             body,
             ..

@@ -73,7 +73,7 @@ fn unconditional(arena: &Arena, e: ExprId, seen: &mut BTreeSet<ExprId>, sums: &m
     match arena.kind(e) {
         Kind::Fold {
             op: Fold::Sum,
-            range: Range::Rows,
+            range: Range::Rows { .. },
             condition: None,
             ..
         } => sums.push(e),

@@ -222,9 +222,10 @@ impl Stager<'_> {
             let chain = space.parent.map_or(Vec::new(), |p| self.chains[&p].clone());
             self.chains
                 .insert(variable, chain.into_iter().chain([variable]).collect());
+            let parent = space.parent;
             self.plan.spaces.push(space);
             if let Kind::Fold { range, .. } = &mut kind {
-                *range = Range::Rows;
+                *range = Range::Rows { of: parent };
             }
         }
         let kind = kind.map_operands(|operand| self.expr(operand));

@@ -222,7 +222,7 @@ impl<'a> Body<'a> {
             panic!("bug in iheartmesh: no loop");
         };
         let locals = match range {
-            Range::Rows => self.bind_locals(*variable),
+            Range::Rows { .. } => self.bind_locals(*variable),
             _ => TokenStream::new(),
         };
         let head = self.loop_head(*variable, range);
@@ -385,7 +385,7 @@ impl<'a> Body<'a> {
                     quote!(for #name in (#set).iter())
                 }
             },
-            Range::Rows => self.rows_head(variable),
+            Range::Rows { .. } => self.rows_head(variable),
         }
     }
 

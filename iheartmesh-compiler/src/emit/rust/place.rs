@@ -168,7 +168,7 @@ impl Placement {
                         self.use_in(pending, *from, region);
                         self.use_in(pending, *to, region);
                     }
-                    crate::ir::Range::Rows => {}
+                    crate::ir::Range::Rows { .. } => {}
                 }
                 let mut inside = self.add_region(Some(region), [*variable]);
                 self.parts.insert((e, Part::Loop), inside);
@@ -309,7 +309,7 @@ impl Placement {
                     found = match range {
                         crate::ir::Range::Set(set) => *set == e,
                         crate::ir::Range::Integers(from, to) => *from == e || *to == e,
-                        crate::ir::Range::Rows => false,
+                        crate::ir::Range::Rows { .. } => false,
                     }
                 }
                 Kind::Tabulate { sizes, .. } => found = sizes.contains(&e),
