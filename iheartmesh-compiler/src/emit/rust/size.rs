@@ -289,6 +289,24 @@ impl Context<'_> {
             })
     }
 
+    /// Whether an input is a sequence whose length is only that of other sequences, or the number of elements of a mesh.
+    fn is_compared_as_length(&self, input: &Input) -> bool {
+        let Type::Sequence { length, .. } = &input.ty else {
+            return false;
+        };
+        let Some(atom @ Atom::Length(_)) = length.as_atom() else {
+            return true;
+        };
+        self.values().all(|(id, other)| {
+            let is_sequence = matches!(other.ty, Type::Sequence { .. });
+            let axes = self.axes(id, other);
+            let inner = axes.iter().skip(usize::from(is_sequence));
+            inner
+                .flat_map(|axis| axis.dimension.terms())
+                .all(|(_, atoms)| !atoms.contains(atom))
+        })
+    }
+
     /// Checks that an input has the sizes that it is declared with. `again` after construction, when sizes are fixed.
     pub(super) fn size_checks(&self, id: InputId, input: &Input, again: bool) -> TokenStream {
         let name = &input.name;
@@ -314,24 +332,16 @@ impl Context<'_> {
             if axis.dimension.is_ragged() {
                 continue;
             }
-            if matches!(axis.dimension.as_atom(), Some(Atom::Count(_)))
-                || axis.dimension.value().is_some() && !axis.of_items
-            {
-                // the one is compared with the mesh, the other is in the type
-                continue;
-            }
-            if axis.dimension.value().is_some()
-                || matches!(axis.dimension.as_atom(), Some(Atom::Length(_)))
-            {
-                // lengths with one letter are compared with each other
+            if axis.dimension.value().is_some() || k == 0 && self.is_compared_as_length(input) {
+                // the one is in the type, the other is compared with the mesh or with other sequences
                 continue;
             }
             let source = axis
                 .dimension
                 .terms()
                 .flat_map(|(_, atoms)| atoms)
-                .filter_map(|atom| self.size_source(atom))
-                .next();
+                .filter(|atom| !matches!(atom, Atom::Count(_)))
+                .find_map(|atom| self.size_source(atom));
             let is_source = source == Some(id) && axis.dimension.as_atom().is_some();
             // a size that stands twice in one type: the first time gives the value
             let first = axes[..k]
@@ -348,9 +358,16 @@ impl Context<'_> {
                 checks.extend(quote!(rt::check_quotient(#name, #above, #below, #written)?;));
             }
             let (what, written) = (axis.what, axis.dimension.to_string());
-            let source_name =
-                source.map_or(String::new(), |s| self.program().input(s).name.clone());
-            if !(is_source && (!again || self.is_alone(&axis.dimension, id))) {
+            let mesh = axis.dimension.terms().flat_map(|(_, atoms)| atoms);
+            let mesh = mesh.filter_map(|atom| match atom {
+                Atom::Count(element) => Some(self.program().mesh(element.mesh).name.clone()),
+                _ => None,
+            });
+            let source_name = source
+                .map(|s| self.program().input(s).name.clone())
+                .or_else(|| mesh.last())
+                .unwrap_or_default();
+            if !axis.of_items && !(is_source && (!again || self.is_alone(&axis.dimension, id))) {
                 let found = &axis.found;
                 checks.extend(quote!(rt::check_size(#name, #what, #found, #expected, #written, #source_name)?;));
             }
