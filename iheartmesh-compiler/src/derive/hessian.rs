@@ -146,7 +146,7 @@ fn is_local(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId]) -> bool {
                     };
                     known(from) && known(to)
                 }
-                Range::Rows => false,
+                Range::Rows { .. } => false,
             };
             few && is_local(normal, *body, variables)
         }
