@@ -2,7 +2,7 @@
 //! reference set.
 
 use iheartmesh::glam::{DMat2, DMat3, DVec2, DVec3};
-use iheartmesh::{FaceMesh, sprs};
+use iheartmesh::{FaceMesh, Set, sprs};
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
 #[allow(dead_code)]
@@ -51,6 +51,39 @@ programs! {
         T = (∑_i w_i²)²
         HT = ∂²T/∂w²
         n(v) = ∂²(‖v‖⁴)/∂v² where v ∈ ℝ²
+    "#;
+
+    Composed, PlainComposed = r#"
+        sin from trigonometry
+        x_i ∈ ℝ³
+        u ∈ ℝ^n
+        a ∈ ℝ
+        b ∈ ℝ
+        p ∈ ℝ³
+        S ∈ {ℤ}
+        E = ∑_i ‖x_i‖⁴
+        g = ∂E/∂x
+        N = ∂(g ⋅ g)/∂x
+        H = ∂²E/∂x²
+        Q = ∂(‖H‖²)/∂x
+        d = min({ ‖x_i - p‖ for i ∈ S })
+        dx = ∂d/∂x
+        dp = ∂d/∂p
+        f(z) = ∂(‖z‖³)/∂z where z ∈ ℝ^k
+        fp = f(p)
+        fu = f(u)
+        c(z) = zᵀ z where z ∈ ℝ^k
+        cp = ∂c(p)/∂p
+        cu = ∂²c(u)/∂u²
+        J = ∂(∂c(u)/∂u)/∂u
+        s(z) = ∂(∑_i z_i²)/∂z where z_i ∈ ℝ
+        y_i = sin(u_i) u_1
+        Y = ∂y/∂u
+        A_ij = u_i u_j
+        t = ∂(∑_i ∑_j A_ij³)/∂u
+        q = ∂(∑_i A_i,* ⋅ u)/∂u
+        third = ∂³(a⁴ b)/∂a³
+        mixed = ∂³(a² b²)/∂a²∂b
     "#;
 
     Descent, PlainDescent = r#"
@@ -189,6 +222,40 @@ fn sequences_in_the_order_of_vec() {
     let v = DVec2::new(1.0, 2.0);
     let n = module.n(v);
     assert!((n - DMat2::from_cols_array(&[28.0, 16.0, 16.0, 52.0])).abs_diff_eq(DMat2::ZERO, 1e-12));
+}
+
+#[test]
+fn derivatives_of_derivatives_and_of_definitions() {
+    let x = [DVec3::new(1.0, 2.0, -2.0), DVec3::new(0.0, 0.6, 0.8)];
+    let u = dvector![1.0, 2.0, -1.0];
+    let p = DVec3::new(1.0, 0.0, 0.0);
+    let members: Set<i64> = [1, 2].into_iter().collect();
+    let m = Composed::new(x, &u, 3.0, 2.0, p, members).unwrap();
+    let each = |f: &dyn Fn(DVec3) -> DVec3| vec(&x.map(f));
+    same(&m.g(), &each(&|x| 4.0 * x.length_squared() * x));
+    same(&m.N(), &each(&|x| 96.0 * x.length_squared().powi(2) * x));
+    // of 4 ‖x‖² I + 8 x xᵀ
+    same(&m.Q(), &each(&|x| 4.0 * 176.0 * x.length_squared() * x));
+    assert!(m.d() < 2.0);
+    let away = (x[1] - p) / (x[1] - p).length();
+    same(&m.dx(), &vec(&[DVec3::ZERO, away]));
+    assert!((m.dp() + away).length() < 1e-12);
+    assert!((m.fp() - 3.0 * p).length() < 1e-12);
+    same(&m.fu(), &(3.0 * u.norm() * &u));
+    assert_eq!(m.cp(), 2.0 * p);
+    let twice = DMatrix::identity(3, 3) * 2.0;
+    close(&m.cu(), &twice);
+    close(&m.J(), &twice);
+    same(&m.s([1.0, -2.0]), &dvector![2.0, -4.0]);
+    let y = DMatrix::from_fn(3, 3, |i, j| {
+        let own = if i == j { u[i].cos() * u[0] } else { 0.0 };
+        own + if j == 0 { u[i].sin() } else { 0.0 }
+    });
+    close(&m.Y(), &y);
+    let (cubes, sum): (f64, f64) = (u.iter().map(|x| x.powi(3)).sum(), u.sum());
+    same(&m.t(), &u.map(|x| 6.0 * cubes * x * x));
+    same(&m.q(), &u.map(|x| u.norm_squared() + 2.0 * x * sum));
+    assert_eq!((m.third(), m.mixed()), (24.0 * 3.0 * 2.0, 8.0));
 }
 
 #[test]
