@@ -394,3 +394,46 @@ fn vectors() {
         check(ty, formula, false);
     }
 }
+
+/// What the language reference says where a function has no derivative.
+#[test]
+fn singular_points() {
+    let table: [(&str, &str, &[f64], &[f64]); 14] = [
+        ("x ∈ ℝ³", "‖x‖", &[0.0; 3], &[0.0; 3]),
+        ("x ∈ ℝ³", "‖x‖²", &[0.0; 3], &[0.0; 3]),
+        ("x ∈ ℝ³", "√(x ⋅ x)", &[0.0; 3], &[0.0; 3]),
+        ("x ∈ ℝ^(2×2)", "‖x‖", &[0.0; 4], &[0.0; 4]),
+        ("x ∈ ℝ", "|x|", &[0.0], &[0.0]),
+        ("x ∈ ℝ", "√x", &[0.0], &[0.0]),
+        ("x ∈ ℝ", "x^(1/2)", &[0.0], &[0.0]),
+        ("x ∈ ℝ", "asin(x) + acos(-x)", &[1.0], &[0.0]),
+        ("x ∈ ℝ", "acosh(x)", &[1.0], &[0.0]),
+        ("x ∈ ℝ³", "atan2(x_1, x_2)", &[0.0, 0.0, 1.0], &[0.0; 3]),
+        (
+            "x ∈ ℝ³",
+            "min(x_1, x_2)",
+            &[2.0, 2.0, 1.0],
+            &[1.0, 0.0, 0.0],
+        ),
+        (
+            "x ∈ ℝ^n",
+            "max(x)",
+            &[1.0, 2.0, 2.0, 0.0],
+            &[0.0, 0.5, 0.5, 0.0],
+        ),
+        (
+            "x_i ∈ ℝ",
+            "∏_i x_i",
+            &[0.0, 2.0, 3.0, 4.0],
+            &[24.0, 0.0, 0.0, 0.0],
+        ),
+        ("x ∈ ℝ", "{ √x if x > 0\n      0 otherwise", &[0.0], &[0.0]),
+    ];
+    for (ty, formula, x, expected) in table {
+        let program = compiled(&format!("{IMPORTS}{ty}\ny = {formula}\ng = ∂y/∂x\n"));
+        for optimized in [false, true] {
+            let found = program.value("g", ty, x, optimized);
+            assert_eq!(found.as_slice(), expected, "{ty}: {formula} at {x:?}");
+        }
+    }
+}
