@@ -3,11 +3,14 @@
 // Every example that includes this module uses only a part of it.
 #![allow(dead_code, unused_imports)]
 
+pub mod animation;
 pub mod colour;
 pub mod generate;
 mod lettering;
 pub mod picture;
+pub mod plot;
 mod raster;
+pub mod springs;
 pub mod surface;
 pub mod tetrahedra;
 pub mod timing;

@@ -1,10 +1,4 @@
 //! Pictures of surfaces with values on them, as PNG files.
-//!
-//! ```ignore
-//! Picture::new("Angle defect")
-//!     .scalar_field(&positions, &faces, &values)
-//!     .write_png("angle_defect.png")?;
-//! ```
 
 use std::path::Path;
 
@@ -44,6 +38,8 @@ pub struct Picture {
     sequential: bool,
     limit: Option<f64>,
     contours: u32,
+    /// What is to fit beside the surfaces.
+    around: Vec<DVec3>,
     panels: Vec<Panel>,
 }
 
@@ -77,6 +73,7 @@ impl Picture {
             sequential: false,
             limit: None,
             contours: 0,
+            around: Vec::new(),
             panels: Vec::new(),
         }
     }
@@ -122,6 +119,12 @@ impl Picture {
     /// values, so that several pictures can be compared.
     pub fn limit(mut self, limit: f64) -> Picture {
         self.limit = Some(limit);
+        self
+    }
+
+    /// Leaves room for these points.
+    pub fn around(mut self, points: &[DVec3]) -> Picture {
+        self.around = points.to_vec();
         self
     }
 
@@ -209,7 +212,8 @@ impl Picture {
         self
     }
 
-    fn draw(&self) -> Pixmap {
+    /// The pixels of the picture.
+    pub fn draw(&self) -> Pixmap {
         let mut pixmap = Pixmap::new(WIDTH, HEIGHT).expect("the size is a valid size");
         fill(
             &mut pixmap,
@@ -294,16 +298,17 @@ impl Picture {
     /// The largest framing that shows every surface whole in a panel of `width` times `height` pixels.
     fn framing(&self, width: u32, height: u32) -> Framing {
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for panel in &self.panels {
-            for &vertex in panel
+        let points = self.panels.iter().flat_map(|panel| {
+            let corners = panel
                 .triangles
                 .iter()
-                .flat_map(|triangle| &triangle.vertices)
-            {
-                let seen = self.view.turn(panel.positions[vertex]);
-                if seen.is_finite() {
-                    (low, high) = (low.min(seen), high.max(seen));
-                }
+                .flat_map(|triangle| triangle.vertices);
+            corners.map(|vertex| panel.positions[vertex])
+        });
+        for point in points.chain(self.around.iter().copied()) {
+            let seen = self.view.turn(point);
+            if seen.is_finite() {
+                (low, high) = (low.min(seen), high.max(seen));
             }
         }
         let size = (high - low).max(DVec3::splat(f64::MIN_POSITIVE));

@@ -1,11 +1,13 @@
-//! Time to build a `FaceMesh` of a torus of a million vertices: both boundary matrices and both transposes.
+//! Time to build a `FaceMesh` of a torus of a million vertices, and a `CellMesh` of as many vertices in cubes of six
+//! tetrahedra: all boundary matrices and their transposes.
 //!
 //! `cargo bench -p iheartmesh-runtime --bench construction [vertices along one side]`. Prints the best of several runs,
-//! on one thread and on all, for a torus numbered coherently and for the same torus numbered at random.
+//! on one thread and on all, for meshes numbered coherently and for the same numbered at random; for tetrahedra beside
+//! numbering by sorting as one would write it by hand, and the bytes of both.
 
 use std::time::Instant;
 
-use iheartmesh_runtime::FaceMesh;
+use iheartmesh_runtime::{BoundaryMatrix, CellMesh, FaceMesh};
 
 /// Triangles of an n × n torus.
 fn torus(n: u32) -> Vec<[u32; 3]> {
@@ -24,8 +26,8 @@ fn torus(n: u32) -> Vec<[u32; 3]> {
         .collect()
 }
 
-/// The same triangles with vertices renamed and faces reordered by a fixed pseudo-random permutation.
-fn shuffled(n_vertices: usize, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+/// The same elements with vertices renamed and elements reordered by a fixed pseudo-random permutation.
+fn shuffled<const N: usize>(n_vertices: usize, elements: &[[u32; N]]) -> Vec<[u32; N]> {
     let mut state = 1_u64;
     let mut below = |n: usize| {
         state = state
@@ -37,17 +39,168 @@ fn shuffled(n_vertices: usize, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     (1..n_vertices)
         .rev()
         .for_each(|i| names.swap(i, below(i + 1)));
-    let mut triangles: Vec<[u32; 3]> = triangles
+    let mut elements: Vec<[u32; N]> = elements
         .iter()
         .map(|corners| corners.map(|vertex| names[vertex as usize]))
         .collect();
-    (1..triangles.len())
+    (1..elements.len())
         .rev()
-        .for_each(|i| triangles.swap(i, below(i + 1)));
-    triangles
+        .for_each(|i| elements.swap(i, below(i + 1)));
+    elements
 }
 
-fn measure(label: &str, n_vertices: usize, build: impl Fn() -> FaceMesh) {
+/// The tetrahedra of n × n × n cubes, six in each (Kuhn's division): one for each order of the axes.
+fn cubes(n: u32) -> Vec<[u32; 4]> {
+    let steps = [1, n + 1, (n + 1) * (n + 1)];
+    let mut tetrahedra = Vec::new();
+    for k in 0..n {
+        for j in 0..n {
+            for i in 0..n {
+                let first = i * steps[0] + j * steps[1] + k * steps[2];
+                for [a, b, c] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+                    let far = first + steps[a] + steps[b] + steps[c];
+                    let [one, other] = [first + steps[a], first + steps[b]];
+                    tetrahedra.push([first, one, one + steps[b], far]);
+                    tetrahedra.push([first, other + steps[a], other, far]);
+                }
+            }
+        }
+    }
+    tetrahedra
+}
+
+/// What a person would write: faces and edges by sorting all of them with where they come from, as lists of indices with
+/// signs, and the same lists from the other side.
+struct ByHand {
+    cell_faces: Vec<[u32; 4]>,
+    cell_signs: Vec<[i8; 4]>,
+    faces: Vec<[u32; 3]>,
+    face_edges: Vec<[u32; 3]>,
+    edges: Vec<[u32; 2]>,
+    vertex_edges: (Vec<u32>, Vec<u32>),
+    edge_faces: (Vec<u32>, Vec<u32>),
+    face_cells: (Vec<u32>, Vec<u32>),
+}
+
+impl ByHand {
+    fn new(n_vertices: usize, tetrahedra: &[[u32; 4]]) -> ByHand {
+        let mut sides: Vec<([u32; 3], u32)> = Vec::with_capacity(4 * tetrahedra.len());
+        let mut cell_signs = vec![[0_i8; 4]; tetrahedra.len()];
+        for (c, &[i, j, k, l]) in tetrahedra.iter().enumerate() {
+            for (place, mut side) in [[j, k, l], [i, l, k], [i, j, l], [i, k, j]]
+                .into_iter()
+                .enumerate()
+            {
+                let mut sign = 1;
+                for (a, b) in [(0, 1), (1, 2), (0, 1)] {
+                    if side[a] > side[b] {
+                        side.swap(a, b);
+                        sign = -sign;
+                    }
+                }
+                sides.push((side, (4 * c + place) as u32));
+                cell_signs[c][place] = sign;
+            }
+        }
+        sides.sort_unstable();
+        let mut faces: Vec<[u32; 3]> = Vec::new();
+        let mut cell_faces = vec![[0; 4]; tetrahedra.len()];
+        for &(side, from) in &sides {
+            if faces.last() != Some(&side) {
+                faces.push(side);
+            }
+            cell_faces[from as usize / 4][from as usize % 4] = faces.len() as u32 - 1;
+        }
+        drop(sides);
+        let mut pairs: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * faces.len());
+        for (f, &[i, j, k]) in faces.iter().enumerate() {
+            for (place, pair) in [[i, j], [j, k], [i, k]].into_iter().enumerate() {
+                pairs.push((pair, (3 * f + place) as u32));
+            }
+        }
+        pairs.sort_unstable();
+        let mut edges: Vec<[u32; 2]> = Vec::new();
+        let mut face_edges = vec![[0; 3]; faces.len()];
+        for &(pair, from) in &pairs {
+            if edges.last() != Some(&pair) {
+                edges.push(pair);
+            }
+            face_edges[from as usize / 3][from as usize % 3] = edges.len() as u32 - 1;
+        }
+        drop(pairs);
+        ByHand {
+            vertex_edges: turned(n_vertices, &edges),
+            edge_faces: turned(edges.len(), &face_edges),
+            face_cells: turned(faces.len(), &cell_faces),
+            cell_faces,
+            cell_signs,
+            faces,
+            face_edges,
+            edges,
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let lists = [&self.vertex_edges, &self.edge_faces, &self.face_cells];
+        size_of_val(&self.cell_faces[..])
+            + size_of_val(&self.cell_signs[..])
+            + size_of_val(&self.faces[..])
+            + size_of_val(&self.face_edges[..])
+            + size_of_val(&self.edges[..])
+            + lists
+                .iter()
+                .map(|(starts, items)| size_of_val(&starts[..]) + size_of_val(&items[..]))
+                .sum::<usize>()
+    }
+}
+
+/// For each part, where its wholes start, and these.
+fn turned<const N: usize>(n_parts: usize, wholes: &[[u32; N]]) -> (Vec<u32>, Vec<u32>) {
+    let mut starts = vec![0; n_parts + 1];
+    for &part in wholes.as_flattened() {
+        starts[part as usize + 1] += 1;
+    }
+    for part in 0..n_parts {
+        starts[part + 1] += starts[part];
+    }
+    let mut next = starts.clone();
+    let mut items = vec![0; N * wholes.len()];
+    for (whole, parts) in wholes.iter().enumerate() {
+        for &part in parts {
+            let place = &mut next[part as usize];
+            items[*place as usize] = whole as u32;
+            *place += 1;
+        }
+    }
+    (starts, items)
+}
+
+/// Bytes of a cell mesh: its matrices, the corners of its faces and those of its cells.
+fn bytes(mesh: &CellMesh) -> usize {
+    let matrix = |m: &BoundaryMatrix| 5 * m.nnz() + 4 * (m.cols() + 1);
+    let matrices = (1..=3).map(|k| matrix(mesh.boundary(k)) + matrix(mesh.boundary_transpose(k)));
+    matrices.sum::<usize>() + 16 * mesh.n_faces() + 20 * mesh.n_cells()
+}
+
+/// Of both: that the numbers are the same.
+fn compare(mesh: &CellMesh, by_hand: &ByHand) {
+    assert_eq!(mesh.n_edges(), by_hand.edges.len());
+    assert_eq!(mesh.n_faces(), by_hand.faces.len());
+    let same = mesh
+        .faces()
+        .zip(&by_hand.faces)
+        .all(|(face, corners)| mesh.face_vertices(face).ids() == corners);
+    assert!(same, "the faces have the same numbers");
+}
+
+fn measure_tetrahedra(label: &str, n_vertices: usize, tetrahedra: &[[u32; 4]]) {
+    let build = || CellMesh::from_tetrahedra(n_vertices, tetrahedra).expect("valid");
+    measure(&format!("{label}, tetrahedra"), n_vertices, build);
+    let build = || ByHand::new(n_vertices, tetrahedra);
+    measure(&format!("{label}, tetrahedra by hand"), n_vertices, build);
+}
+
+fn measure<T>(label: &str, n_vertices: usize, build: impl Fn() -> T) {
     let mut best = f64::INFINITY;
     for _ in 0..7 {
         let start = Instant::now();
@@ -70,6 +223,21 @@ fn main() {
     let n_vertices = (side * side) as usize;
     let coherent = torus(side);
     let random = shuffled(n_vertices, &coherent);
+    let n = (n_vertices as f64).cbrt().round() as u32 - 1;
+    let cubes = cubes(n);
+    let n_corners = (n as usize + 1).pow(3);
+    let shuffled_cubes = shuffled(n_corners, &cubes);
+    {
+        let mesh = CellMesh::from_tetrahedra(n_corners, &cubes).expect("valid");
+        let by_hand = ByHand::new(n_corners, &cubes);
+        compare(&mesh, &by_hand);
+        println!(
+            "{} tetrahedra: {} bytes for each in the mesh, {} in the lists by hand",
+            cubes.len(),
+            bytes(&mesh) / cubes.len(),
+            by_hand.bytes() / cubes.len()
+        );
+    }
     for n_threads in [1, 0] {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(n_threads)
@@ -88,6 +256,10 @@ fn main() {
                     n_vertices,
                     || FaceMesh::from_polygons(n_vertices, triangles).expect("valid"),
                 );
+            }
+            for (order, tetrahedra) in [("coherent", &cubes), ("random", &shuffled_cubes)] {
+                let label = format!("{order}, {threads} thread(s)");
+                measure_tetrahedra(&label, n_corners, tetrahedra);
             }
         });
     }

@@ -1,0 +1,116 @@
+//! Curves over time, as PNG files.
+
+use std::path::Path;
+
+use tiny_skia::{Color, Paint, PathBuilder, Pixmap, Stroke, Transform};
+
+use super::lettering::{Anchor, readable, write};
+
+const WIDTH: f32 = 1200.0;
+const HEIGHT: f32 = 600.0;
+const LEFT: f32 = 110.0;
+const RIGHT: f32 = 960.0;
+const TOP: f32 = 100.0;
+const BOTTOM: f32 = 530.0;
+
+/// The colours of the curves.
+const COLOURS: [[u8; 3]; 4] = [[196, 62, 60], [58, 110, 178], [70, 140, 84], [34, 38, 46]];
+
+/// Draws curves with their names, all with the same abscissae.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_plot(
+    path: &Path,
+    title: &str,
+    across: (&str, &[f64]),
+    curves: &[(&str, &[f64])],
+) -> std::io::Result<()> {
+    let mut pixmap = Pixmap::new(WIDTH as u32, HEIGHT as u32).expect("the size is a valid size");
+    pixmap.fill(Color::WHITE);
+    let ink = Color::from_rgba8(34, 38, 46, 255);
+    write(&mut pixmap, title, (48.0, 56.0), Anchor::Left, 28.0, ink);
+
+    let (left, right) = range(across.1);
+    let all: Vec<f64> = curves
+        .iter()
+        .flat_map(|(_, values)| values.iter().copied())
+        .collect();
+    let (low, high) = range(&all);
+    let (low, high) = (low.min(0.0), high);
+    let place = |x: f64, y: f64| {
+        let u = ((x - left) / (right - left).max(f64::MIN_POSITIVE)) as f32;
+        let v = ((y - low) / (high - low).max(f64::MIN_POSITIVE)) as f32;
+        (LEFT + u * (RIGHT - LEFT), BOTTOM + v * (TOP - BOTTOM))
+    };
+    for step in 0..=4 {
+        let part = f64::from(step) / 4.0;
+        let (x, y) = (left + part * (right - left), low + part * (high - low));
+        line(
+            &mut pixmap,
+            &[place(left, y), place(right, y)],
+            [222, 226, 232],
+            1.0,
+        );
+        let beside = (LEFT - 60.0, place(left, y).1 + 6.0);
+        write(&mut pixmap, &readable(y), beside, Anchor::Middle, 17.0, ink);
+        let below = (place(x, low).0, BOTTOM + 28.0);
+        write(&mut pixmap, &readable(x), below, Anchor::Middle, 17.0, ink);
+    }
+    let below = (0.5 * (LEFT + RIGHT), BOTTOM + 56.0);
+    write(&mut pixmap, across.0, below, Anchor::Middle, 18.0, ink);
+    for (number, ((name, values), colour)) in curves.iter().zip(COLOURS).enumerate() {
+        let points: Vec<(f32, f32)> = across
+            .1
+            .iter()
+            .zip(*values)
+            .map(|(&x, &y)| place(x, y))
+            .collect();
+        line(&mut pixmap, &points, colour, 2.5);
+        let y = TOP + 30.0 * number as f32;
+        line(
+            &mut pixmap,
+            &[(RIGHT + 30.0, y), (RIGHT + 60.0, y)],
+            colour,
+            4.0,
+        );
+        write(
+            &mut pixmap,
+            name,
+            (RIGHT + 70.0, y + 6.0),
+            Anchor::Left,
+            18.0,
+            ink,
+        );
+    }
+    let bytes = pixmap.encode_png().map_err(std::io::Error::other)?;
+    std::fs::write(path, bytes)
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
+            (low.min(value), high.max(value))
+        })
+}
+
+fn line(pixmap: &mut Pixmap, points: &[(f32, f32)], [r, g, b]: [u8; 3], width: f32) {
+    let mut path = PathBuilder::new();
+    for (k, &(x, y)) in points.iter().enumerate() {
+        match k {
+            0 => path.move_to(x, y),
+            _ => path.line_to(x, y),
+        }
+    }
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(r, g, b, 255);
+    paint.anti_alias = true;
+    let stroke = Stroke {
+        width,
+        ..Stroke::default()
+    };
+    if let Some(path) = path.finish() {
+        pixmap.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
+    }
+}
