@@ -39,6 +39,12 @@ programs! {
         B ∈ ℝ^(d×d)
         z = B ∑_i y_i x_i
     "#;
+
+    Marked, MarkedPlain = r#"
+        P ∈ ℝ^(n×n)
+        π̂ ∈ ℝ^n
+        residual = ‖Pᵀ π̂ - π̂‖ + π - π
+    "#;
 }
 
 fn square() -> (FaceMesh, Vec<DVec3>) {
@@ -102,5 +108,12 @@ for_both! {
         assert_eq!(message(OfSequence::new(&y, &x[..2], &b)), expected);
         assert_eq!(message(fits.set_x(&x[..2])), expected);
         assert!(fits.set_y(DVector::from_element(2, 1.0)).is_err());
+    }
+
+    #[test]
+    fn pi_with_a_mark_is_a_name() {
+        let p = DMatrix::from_row_slice(2, 2, &[0.5, 0.5, 0.25, 0.75]);
+        let stationary = DVector::from_vec(vec![1.0 / 3.0, 2.0 / 3.0]);
+        assert!(Marked::new(&p, stationary).unwrap().residual() < 1e-15);
     }
 }

@@ -222,10 +222,10 @@ fn small_characters() {
                => expression (+ (+ (inv (transpose a)) (transpose (inv A))) (pinv A))
             a⁻
                Error: unexpected character `⁻`
-               = an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`
+               = an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`; the transpose of an inverse is `(A⁻¹)ᵀ`
             a⁻ⁿ
                Error: unexpected character `⁻`
-               = an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`
+               = an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`; the transpose of an inverse is `(A⁻¹)ᵀ`
             f₁
                => expression (call f[1])
             x₁₂₃₄₅₆₇₈₉₁₂₃₄₅₆₇₈₉₁₂

@@ -119,7 +119,7 @@ fn functions() {
                = parameters are names, separated by commas
             a + b = c
                Error: this cannot be defined
-               = the left side of a definition is a name, with subscripts or with parameters in parentheses
+               = the left side of a definition is a name, with subscripts or with parameters in parentheses; between back-ticks, a name may have any characters
             y = k where NL k ∈ ℝ
                Error: local declaration `k` is not a parameter of `y`
                = declare `k` on a line of its own to make it a parameter of the module, or write `y(k) = …`
@@ -265,7 +265,7 @@ fn declarations() {
                = write `x_i ∈ type`; several dimensions go into the type
             k_1 ∈ ℝ
                Error: a sequence is declared with one subscript letter
-               = write `x_i ∈ type`; several dimensions go into the type
+               = a name with a number in it stands between back-ticks
             k ∈
                Error: expected a type, found the end of the text
                = types are ℝ, ℤ, ℝ^n, ℝ^(n×m), {T}, T × U, T → U, FaceMesh and the like, or the name of a set

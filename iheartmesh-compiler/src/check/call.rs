@@ -4,6 +4,7 @@ use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
 use super::sizes::{Fit, Sizes, fit, fit_alone, fits, with_sizes};
+use super::wording::arguments;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, FunctionId, Kind};
 use crate::resolve::symbols::{count, given};
@@ -389,6 +390,10 @@ impl<'a> Checker<'a> {
             format!("the arguments have another order: `{}`", first.shown)
         } else if owner_mismatch(first, types) == Some(k) {
             "elements of one mesh have no meaning in another".to_owned()
+        } else if parameters[k].is_element()
+            && let Some(help) = self.counted_help(call.arguments[k])
+        {
+            help
         } else {
             format!("its parameters are `{}`", first.shown)
         };
@@ -436,7 +441,17 @@ impl<'a> Checker<'a> {
             .iter()
             .map(|(_, _, s)| format!("`{}`", s.shown))
             .collect();
-        self.report(diagnostic.help(format!("it is defined as {}", shown.join(", "))))
+        let takes_element = |k: usize| {
+            let mut at = candidates
+                .iter()
+                .filter_map(|(_, _, s)| s.parameters.get(k));
+            at.any(Type::is_element)
+        };
+        let counted = (call.arguments.iter().enumerate())
+            .filter(|(k, _)| takes_element(*k))
+            .find_map(|(_, argument)| self.counted_help(argument));
+        let defined = || format!("it is defined as {}", shown.join(", "));
+        self.report(diagnostic.help(counted.unwrap_or_else(defined)))
     }
 }
 
@@ -466,15 +481,6 @@ fn is_permutation(parameters: &[Type], types: &[Type]) -> bool {
             let others = [&types[..k], &types[k + 1..]].concat();
             fit_alone(first, &types[k]).is_some() && is_permutation(rest, &others)
         })
-}
-
-/// The arguments of a call in a sentence.
-fn arguments(described: &[String]) -> String {
-    match described {
-        [] => "no arguments".to_owned(),
-        [one] => one.clone(),
-        _ => format!("({})", described.join(", ")),
-    }
 }
 
 struct Call<'c, 'a> {

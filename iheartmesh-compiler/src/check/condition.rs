@@ -168,9 +168,9 @@ impl<'a> Checker<'a> {
         }
         let help = match (&ty, &**member) {
             (Type::Element(x), Type::Element(y)) if x.kind == y.kind => ONE_MESH.to_owned(),
-            (_, Type::Element(element)) => {
-                format!("the members of this set are {}", plural(element.kind))
-            }
+            (_, Type::Element(element)) => self
+                .counted_help(item)
+                .unwrap_or_else(|| format!("the members of this set are {}", plural(element.kind))),
             _ => format!("the members of this set have the type {member}"),
         };
         let (a, b) = self.described_both(&ty, &set_ty);

@@ -1,7 +1,9 @@
 //! What messages have in common: how types and meshes are called, and where a symbol comes from.
 
 use super::Checker;
+use super::scope::Binding;
 use crate::diagnostic::Diagnostic;
+use crate::ir::Kind;
 use crate::resolve::Meaning;
 use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind, Name};
@@ -33,6 +35,29 @@ impl Checker<'_> {
             ),
             _ => (a.described(), b.described()),
         }
+    }
+
+    /// What to do where the subscript of a definition stands for an element but counts.
+    pub(super) fn counted_help(&self, given: &Expr) -> Option<String> {
+        let name = &symbol(given)?.text;
+        let binding = self
+            .scopes
+            .iter()
+            .rev()
+            .find_map(|scope| scope.names.get(name))?;
+        let counts = match binding {
+            Binding::Value(value) => match self.program.arena.kind(*value) {
+                Kind::Variable(variable) => self.index_uses.contains_key(variable),
+                _ => false,
+            },
+            _ => false,
+        };
+        counts.then(|| {
+            format!(
+                "the subscript `{name}` counts from 1, since what it indexes does not say that it is an element; with \
+                 a declaration such as `where {name} ∈ V` behind the definition, it is a parameter"
+            )
+        })
     }
 
     /// Marks where the symbols in these expressions are declared or defined.
@@ -83,5 +108,14 @@ pub(super) fn called(e: &Expr) -> String {
     match &e.kind {
         ExprKind::Name(name) => format!("`{}`", name.text),
         _ => "this".to_owned(),
+    }
+}
+
+/// The arguments of a call in a sentence.
+pub(super) fn arguments(described: &[String]) -> String {
+    match described {
+        [] => "no arguments".to_owned(),
+        [one] => one.clone(),
+        _ => format!("({})", described.join(", ")),
     }
 }

@@ -16,10 +16,13 @@ pub(super) fn letter(text: &str) -> Option<(usize, String)> {
         if !first.is_ascii_alphabetic() {
             return None;
         }
-    } else if !is_letter(first) {
-        return None;
     }
     let rest = &text[first.len_utf8()..];
+    // a sign of the language with a mark, such as π̂, is a letter as any other
+    let is_marked = || rest.starts_with(is_combining_mark);
+    if !(first.is_ascii() || is_letter(first) || is_sign(first) && is_marked()) {
+        return None;
+    }
     if rest.as_bytes().first().is_none_or(u8::is_ascii) {
         let piece: String = first.nfc().collect();
         return Some((first.len_utf8(), piece));
@@ -49,8 +52,12 @@ fn is_letter(c: char) -> bool {
         '\u{2b0}'..='\u{2ff}' | '\u{1d2c}'..='\u{1d6a}' | '\u{1d78}' | '\u{1d9b}'..='\u{1dbf}'
         | '\u{2071}' | '\u{207f}' | '\u{2090}'..='\u{209c}' | '\u{2c7c}' | '\u{2c7d}'
         | '\u{2160}'..='\u{2188}' | '\u{24b6}'..='\u{24e9}');
-    let sign = matches!(c, 'ℝ' | 'ℤ' | 'π' | 'Δ' | '𝕕');
-    c.is_alphabetic() && !modifier && !sign && !is_combining_mark(c)
+    c.is_alphabetic() && !modifier && !is_sign(c) && !is_combining_mark(c)
+}
+
+/// Whether a letter is a sign of the language, when it stands without marks.
+fn is_sign(c: char) -> bool {
+    matches!(c, 'ℝ' | 'ℤ' | 'π' | 'Δ' | '𝕕')
 }
 
 /// `^(-1)` or `^-1`, unless the number goes on: the length.

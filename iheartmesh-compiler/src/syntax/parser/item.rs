@@ -108,7 +108,8 @@ impl Parser<'_> {
                     let span = value.span;
                     let message = "this cannot be defined";
                     let help = "the left side of a definition is a name, with subscripts or with \
-                                parameters in parentheses";
+                                parameters in parentheses; between back-ticks, a name may \
+                                have any characters";
                     return self.fail(Diagnostic::error(span, message).help(help));
                 }
                 Ok(ItemKind::Expression(value))

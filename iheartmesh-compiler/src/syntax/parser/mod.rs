@@ -300,7 +300,8 @@ impl Parser<'_> {
                 Some("there is no such subscript character in the language; write `x_r`")
             }
             Kind::Stray if self.token_text() == "⁻" => Some(
-                "an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`",
+                "an exponent with a sign is a number, as in `a⁻²`, or stands after `^`, as in `a^-n`; \
+                 the transpose of an inverse is `(A⁻¹)ᵀ`",
             ),
             Kind::Stray => Some("this character means nothing in the language; remove it"),
             Kind::RightBrace if unmatched => {

@@ -68,16 +68,21 @@ impl Parser<'_> {
 
     /// The one letter that a sequence is declared with.
     fn sequence_letter(&mut self, mut list: Vec<Subscript>, span: Span) -> Parsed<Name> {
-        if list.len() == 1
-            && let Some(Subscript::Expr(Expr {
-                kind: ExprKind::Name(name),
-                ..
-            })) = list.pop()
+        let is_one = list.len() == 1;
+        let mut is_number = false;
+        if let Some(Subscript::Expr(Expr { kind, .. })) = list.pop()
+            && is_one
         {
-            return Ok(name);
+            match kind {
+                ExprKind::Name(name) => return Ok(name),
+                kind => is_number = matches!(kind, ExprKind::Integer(_)),
+            }
         }
         let error = Diagnostic::error(span, "a sequence is declared with one subscript letter");
-        self.fail(error.help("write `x_i ∈ type`; several dimensions go into the type"))
+        self.fail(error.help(match is_number {
+            true => "a name with a number in it stands between back-ticks",
+            false => "write `x_i ∈ type`; several dimensions go into the type",
+        }))
     }
 
     /// The type of a declaration.
