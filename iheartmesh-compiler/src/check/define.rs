@@ -90,10 +90,7 @@ impl<'a> Checker<'a> {
         }
         if definition.targets.iter().any(|t| !t.subscripts.is_empty()) {
             if n > 1 {
-                let error = self.unsupported(
-                    definition.span,
-                    "several element-wise definitions at once are",
-                );
+                let error = self.several_at_once(definition);
                 return vec![error; n];
             }
             return vec![self.entries(definition, None, None)];
@@ -103,6 +100,15 @@ impl<'a> Checker<'a> {
             return vec![value];
         }
         self.destructure(definition, value)
+    }
+
+    /// `a, b += …`, `a_i, b_i = …`.
+    pub(super) fn several_at_once(&mut self, definition: &ast::Definition) -> ExprId {
+        let message = "several names cannot be defined by their entries at once";
+        self.report(
+            Diagnostic::error(definition_names(definition), message)
+                .help("write a definition for each; `+=` and subscripts stand behind one name"),
+        )
     }
 
     /// Takes a tuple, set or vector apart.

@@ -5,6 +5,7 @@
 
 use super::Checker;
 use super::scope::{Binding, Scope};
+use super::wording::ITEM_BY_ITEM;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, ExprId, Kind, Layout};
 use crate::resolve::{Meaning, ModuleId};
@@ -79,10 +80,7 @@ impl<'a> Checker<'a> {
         let mut written = Vec::new();
         for (k, definition) in parts.definitions.iter().enumerate() {
             let [target] = definition.targets.as_slice() else {
-                return self.unsupported(
-                    definition.span,
-                    "several element-wise definitions at once are",
-                );
+                return self.several_at_once(definition);
             };
             let mut scope = Scope::default();
             if let Some(value) = value {
@@ -183,11 +181,15 @@ impl<'a> Checker<'a> {
                 let (a, b) = self.described_both(&ta, &tb);
                 let message = format!("cannot add {b} to {a}");
                 let name = &definition.targets[0].name;
+                let help = match (&ta, &tb) {
+                    (Type::Sequence { .. }, Type::Sequence { .. }) => ITEM_BY_ITEM,
+                    _ => "both sides of `+=` must have the same type and size",
+                };
                 self.report(
                     Diagnostic::error(definition.value.span, message)
                         .here(format!("this is {b}"))
                         .label(name.span, format!("this is {a}"))
-                        .help("both sides of `+=` must have the same type and size"),
+                        .help(help),
                 )
             }
         }

@@ -346,10 +346,17 @@ impl<'a> Checker<'a> {
             } else if *other != ty {
                 let (a, b) = self.described_both(&ty, other);
                 let message = format!("the branches differ: {a} and {b}");
+                let help = match (&ty, other) {
+                    (Type::Vector { .. }, Type::Vector { .. })
+                    | (Type::Matrix { .. }, Type::Matrix { .. }) => {
+                        "all branches have one size, known as such while compiling: declare both with it"
+                    }
+                    _ => "all branches of a piecewise definition must have the same type",
+                };
                 let diagnostic = Diagnostic::error(syntax.span, message)
                     .here(format!("this is {b}"))
                     .label(first.span, format!("this is {a}"))
-                    .help("all branches of a piecewise definition must have the same type");
+                    .help(help);
                 let diagnostic = self.with_origins(diagnostic, &[first, syntax]);
                 return self.report(diagnostic);
             }

@@ -9,6 +9,7 @@ use super::scope::{Binding, Scope};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Function, FunctionId, Kind, Parameter};
 use crate::resolve::ModuleId;
+use crate::resolve::symbols::walk_function;
 use crate::syntax::ast::{self, ItemKind, Name};
 use crate::types::{Atom, Dimension, Type};
 
@@ -97,6 +98,10 @@ impl<'a> Checker<'a> {
                     );
                     let help = match missing.as_slice() {
                         [name] => format!("did you mean `{}`?", name.text),
+                        _ if is_bound(syntax, target.name.text.as_str()) => format!(
+                            "a sum, a set or an optimum knows `{}`: remove its declaration here",
+                            target.name.text
+                        ),
                         _ => format!(
                             "declare it on a line of its own to make it a parameter of the module, or write `{}({}) = …`",
                             syntax.name.text,
@@ -382,4 +387,10 @@ impl<'a> Checker<'a> {
             }
         }
     }
+}
+
+/// Whether a function binds a name inside of its body.
+fn is_bound(function: &ast::Function, name: &str) -> bool {
+    let bound = walk_function(function, &mut |_| {});
+    bound.iter().any(|other| other.text == name)
 }

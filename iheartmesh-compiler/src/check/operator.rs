@@ -1,7 +1,7 @@
 //! Operators: which operands they take and what they give. Products stand in [`super::product`].
 
 use super::Checker;
-use super::wording::NOT_NUMBERS;
+use super::wording::{ITEM_BY_ITEM, NOT_NUMBERS};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
 use crate::span::Span;
@@ -426,6 +426,9 @@ impl<'a> Checker<'a> {
                 &tb,
                 "both vectors must have the same length",
             ),
+            (Type::Sequence { .. }, Type::Sequence { .. }) => {
+                self.mismatch(sides, verb, preposition, &ta, &tb, ITEM_BY_ITEM)
+            }
             _ => self.mismatch(
                 sides,
                 verb,

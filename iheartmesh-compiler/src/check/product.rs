@@ -101,9 +101,28 @@ impl<'a> Checker<'a> {
                 .help("multiply the matrix on the right and the chain first, as in `B (C δ)`");
                 self.report(diagnostic)
             }
+            (Type::Sequence { .. }, Type::Scalar(Number::Integer) | Type::Element(_))
+            | (Type::Vector { space: None, .. }, Type::Element(_))
+                if let (ExprKind::Name(u), ExprKind::Name(v)) =
+                    (&sides.left.kind, &sides.right.kind) =>
+            {
+                let (u, v) = (&u.text, &v.text);
+                let help = format!(
+                    "write `{u}_{v}` for what `{u}` has for `{v}`; only functions are called with parentheses"
+                );
+                self.mismatch(sides, "multiply", "and", &ta, &tb, &help)
+            }
             (Type::Element(_), _) | (_, Type::Element(_)) => {
                 self.mismatch(sides, "multiply", "and", &ta, &tb, NOT_NUMBERS)
             }
+            (Type::Sequence { .. }, _) | (_, Type::Sequence { .. }) => self.mismatch(
+                sides,
+                "multiply",
+                "and",
+                &ta,
+                &tb,
+                "a sequence has no products; `x_i` is an item of `x`, and `y_i = 2x_i` a sequence",
+            ),
             (Type::Vector { space: Some(_), .. }, _) | (_, Type::Vector { space: Some(_), .. }) => {
                 self.mismatch(
                     sides,
@@ -138,7 +157,16 @@ impl<'a> Checker<'a> {
             return self.mismatch(sides, "multiply", "and", &ta, &tb, "their sizes do not fit");
         };
         if k.differs(&l) {
-            let help = format!("the left side has {k} columns, the right side {l} rows");
+            let help = match (ta.shape(), tb.shape()) {
+                (Some(Shape::Vector(_)), Some(Shape::Matrix(_, m))) if m == one => {
+                    "a matrix with one column is no vector here: write it as `(a, b)`".to_owned()
+                }
+                _ => format!(
+                    "the left side has {}, the right side {}",
+                    counted(&k, "column"),
+                    counted(&l, "row")
+                ),
+            };
             return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
         }
         let ty = match tb.shape() {
@@ -265,5 +293,13 @@ impl<'a> Checker<'a> {
                 "`A \\ b` takes a square matrix and a vector or matrix",
             ),
         }
+    }
+}
+
+/// `3 columns`, `1 column`, `n columns`.
+fn counted(n: &Dimension, noun: &str) -> String {
+    match n.value() {
+        Some(1) => format!("1 {noun}"),
+        _ => format!("{n} {noun}s"),
     }
 }

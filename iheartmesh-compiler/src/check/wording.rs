@@ -13,6 +13,10 @@ use crate::types::{MeshId, Type};
 pub(super) const NOT_NUMBERS: &str =
     "elements of a mesh are not numbers; use the values that belong to them, as in `x_v`";
 
+/// What to do about sums of sequences.
+pub(super) const ITEM_BY_ITEM: &str =
+    "sequences are added item by item, as in `z_i = x_i + y_i` or `y_i += x_i`";
+
 /// What to do about several meshes.
 pub(super) const ONE_MESH: &str =
     "elements, sets and matrices of one expression must belong to one mesh";

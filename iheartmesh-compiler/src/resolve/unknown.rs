@@ -10,6 +10,7 @@ use crate::span::Span;
 use crate::syntax::ast::{Declaration, ItemKind, Name, Type, TypeKind};
 use crate::syntax::builtin;
 use crate::syntax::closest;
+use crate::syntax::spelling::{look_alike, look_alike_help};
 
 /// A name that an item uses, and how often it is used in the module.
 struct Unknown {
@@ -58,6 +59,15 @@ pub(super) fn check_names(module: &Module, diagnostics: &mut Diagnostics) {
             }
         });
     }
+    // beside a letter that was meant as a sign, other names are unknown for its sake
+    let misread: BTreeSet<usize> = unknown
+        .iter()
+        .filter(|unknown| look_alike(&unknown.name.text).is_some())
+        .map(|unknown| unknown.item)
+        .collect();
+    unknown.retain(|unknown| {
+        !misread.contains(&unknown.item) || look_alike(&unknown.name.text).is_some()
+    });
     for unknown in &unknown {
         let diagnostic = match types.contains(&unknown.name.span) {
             true => unknown_type(module, unknown),
@@ -95,6 +105,9 @@ fn unknown_value(module: &Module, binders: &[Vec<Name>], unknown: &Unknown) -> D
     let name = &unknown.name;
     let text = &name.text;
     let diagnostic = Diagnostic::error(name.span, format!("unknown name `{text}`"));
+    if let Some(help) = look_alike_help(text) {
+        return diagnostic.help(help);
+    }
     if let Some(binder) = binders[unknown.item].iter().find(|b| b.text == *text) {
         return diagnostic
             .label(binder.span, format!("this `{text}` ends before"))

@@ -64,6 +64,10 @@ fn find_piecewise(tokens: &mut [Token]) {
                 tokens[brace].kind = Kind::Piecewise;
                 open.pop();
             }
+            (Kind::Bar, Some((brace, Kind::LeftBrace))) if is_builder_bar(tokens, index) => {
+                open.pop();
+                open.push((brace, Kind::For));
+            }
             (Kind::For, Some((brace, Kind::LeftBrace))) => {
                 open.pop();
                 open.push((brace, Kind::For));
@@ -77,6 +81,15 @@ fn find_piecewise(tokens: &mut [Token]) {
             _ => {}
         }
     }
+}
+
+/// Whether names and `∈` follow a `|`: it stands for `for` in a set builder.
+fn is_builder_bar(tokens: &[Token], bar: usize) -> bool {
+    let rest = tokens[bar + 1..].iter().take(32);
+    let mut names = rest
+        .skip_while(|token| matches!(token.kind, Kind::Word(_) | Kind::Quoted(_) | Kind::Comma));
+    let is_name = |token: &Token| matches!(token.kind, Kind::Word(_) | Kind::Quoted(_));
+    tokens.get(bar + 1).is_some_and(is_name) && names.next().is_some_and(|t| t.kind == Kind::In)
 }
 
 /// What a line break may separate besides items.

@@ -256,6 +256,32 @@ pub fn fraction_of(value: f64) -> Option<char> {
     found.map(|(c, _, _)| *c)
 }
 
+/// The sign that a letter or another sign looks like, and how it is written in ASCII.
+pub fn look_alike(text: &str) -> Option<(&'static str, &'static str)> {
+    Some(match text {
+        "Σ" => ("∑", "sum"),
+        "Π" => ("∏", "prod"),
+        "ϵ" | "ε" | "є" | "∊" => ("∈", "\\in"),
+        "∆" => ("Δ", "\\Delta"),
+        "∗" | "∙" => ("⋅", "\\cdot"),
+        "✕" | "⨯" => ("×", "\\times"),
+        "∕" | "⁄" => ("÷", "/"),
+        "–" | "—" | "‐" => ("−", "-"),
+        "∣" => ("|", "|"),
+        "≔" => ("=", "="),
+        _ => return None,
+    })
+}
+
+/// What to write for something that looks like a sign.
+pub fn look_alike_help(text: &str) -> Option<String> {
+    let (sign, ascii) = look_alike(text)?;
+    Some(match sign == ascii {
+        true => format!("`{text}` only looks like `{sign}`: write that"),
+        false => format!("`{text}` only looks like `{sign}`: write that, or `{ascii}`"),
+    })
+}
+
 /// The plain character that a subscript character stands for.
 pub fn subscript(sign: char) -> Option<char> {
     SUBSCRIPTS.iter().find(|(s, _)| *s == sign).map(|(_, c)| *c)

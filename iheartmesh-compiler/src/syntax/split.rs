@@ -351,6 +351,9 @@ impl Splitter<'_> {
             _ if word == "not" => {
                 "there is no `not`; turn the relation round, as in `a ≤ b`".into()
             }
+            _ if matches!(word, "argmin" | "argmax") => {
+                format!("what it runs over stands in parentheses: `{word}_(x ∈ S) …`")
+            }
             Some(name) => format!("did you mean `{name}`?"),
             None => {
                 self.puzzling = Some((token.start, token.end, self.errors.len()));

@@ -1,6 +1,7 @@
 //! What operators work on: names, calls, numbers, vectors, sets.
 
 use super::super::ast::{BinaryOp, Expr, ExprKind, Name, Subscript, UnaryOp};
+use super::super::spelling::look_alike_help;
 use super::super::token::{Kind, Token};
 use super::expression::make;
 use super::{Context, Parsed, Parser};
@@ -143,6 +144,12 @@ impl Parser<'_> {
                 self.report(warning.help(help));
             }
         }
+        if let (Some(best), [first, ..]) = (extremum(&function.text), subscripts.as_slice()) {
+            let span = first.span;
+            let message = format!("what `{best}` runs over stands in parentheses");
+            let help = format!("over a set write `{best}_(x ∈ S) …`; of values, `{best}(a, b)`");
+            return self.fail(Diagnostic::error(span, message).help(help));
+        }
         if subscripts.is_empty() {
             let span = function.span;
             return Ok((make(ExprKind::Name(function), span), false));
@@ -212,6 +219,11 @@ impl Parser<'_> {
 
     /// `(a, b)`; `;` separates as well.
     pub(super) fn arguments(&mut self) -> Parsed<Vec<Expr>> {
+        let before = self.at.checked_sub(1).map(|at| self.tokens[at].kind);
+        let best = match before {
+            Some(Kind::Function(id)) => extremum(self.texts.get(id)),
+            _ => None,
+        };
         self.advance();
         let mut arguments = Vec::new();
         if self.eat(Kind::RightParen) {
@@ -223,11 +235,13 @@ impl Parser<'_> {
                 break;
             }
         }
-        self.expect(
-            Kind::RightParen,
-            "`,` or `)`",
-            "close the list of arguments",
-        )?;
+        let help = match (self.kind(), best) {
+            (Kind::In, Some(best)) => {
+                format!("over a set write `{best}_(x ∈ S) …`, with `_` before the parenthesis")
+            }
+            _ => "close the list of arguments".to_owned(),
+        };
+        self.expect(Kind::RightParen, "`,` or `)`", &help)?;
         Ok(arguments)
     }
 
@@ -301,6 +315,11 @@ impl Parser<'_> {
 
     /// `_(a + 1, b)`.
     fn expression_subscripts(&mut self) -> Parsed<Vec<Subscript>> {
+        let before = self.at.checked_sub(2).map(|at| self.tokens[at].kind);
+        let sign = match before {
+            Some(Kind::Name(id)) => look_alike_help(self.texts.get(id)),
+            _ => None,
+        };
         self.advance();
         let mut list = Vec::new();
         loop {
@@ -314,6 +333,11 @@ impl Parser<'_> {
             if !self.eat(Kind::Comma) {
                 break;
             }
+        }
+        if let Some(help) = sign
+            && self.kind() != Kind::RightParen
+        {
+            return self.expected("`,` or `)`", &help);
         }
         self.expect(Kind::RightParen, "`,` or `)`", "close the subscript")?;
         Ok(list)
@@ -403,4 +427,9 @@ impl Parser<'_> {
         };
         Ok(make(kind, span))
     }
+}
+
+/// A function that is also an optimum over a set.
+fn extremum(function: &str) -> Option<&'static str> {
+    ["min", "max"].into_iter().find(|name| *name == function)
 }

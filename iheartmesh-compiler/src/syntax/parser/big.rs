@@ -2,6 +2,7 @@
 
 use super::super::ast::*;
 use super::super::token::Kind;
+use super::condition::BUILDER_HELP;
 use super::expression::{TERM, make};
 use super::{Context, Failed, Parsed, Parser};
 use crate::diagnostic::Diagnostic;
@@ -23,6 +24,9 @@ impl Parser<'_> {
             Kind::Name(_) | Kind::Function(_) if line => {
                 let index = self.name("an index", HEAD_HELP)?;
                 let follows = self.token(0);
+                if matches!(follows.kind, Kind::In | Kind::Assign) {
+                    return self.unparenthesised(op, &index.text);
+                }
                 let plain = follows.space || follows.kind == Kind::LeftParen;
                 if !plain {
                     return self.expected("a blank after the index", HEAD_HELP);
@@ -54,6 +58,22 @@ impl Parser<'_> {
             locals,
         };
         Ok(make(kind, self.since(start)))
+    }
+
+    /// `∑_v ∈ S`, `∑_i = 1^n`.
+    fn unparenthesised<T>(&mut self, op: BigOp, index: &str) -> Parsed<T> {
+        let sign = match op {
+            BigOp::Sum => "∑",
+            BigOp::Product => "∏",
+            BigOp::Union => "∪",
+        };
+        let head = match self.kind() {
+            Kind::In => format!("{sign}_({index} ∈ S)"),
+            _ => format!("{sign}_({index} = 1)^n"),
+        };
+        let message = format!("what `{index}` runs over stands in parentheses");
+        let error = Diagnostic::error(self.here(), message);
+        self.fail(error.help(format!("write `{head}`")))
     }
 
     /// Definitions of a sum, up to something that is none.
@@ -111,7 +131,10 @@ impl Parser<'_> {
                 let to = Box::new(self.bound()?);
                 return Ok(Head::Range(names.remove(0), from, to));
             }
-            _ => return self.expected("`∈`, `for` or `=`", HEAD_HELP),
+            _ => {
+                self.no_look_alike(&names)?;
+                return self.expected("`∈`, `for` or `=`", HEAD_HELP);
+            }
         };
         self.expect(Kind::RightParen, "`)`", HEAD_HELP)?;
         Ok(head)
@@ -240,6 +263,9 @@ impl Parser<'_> {
                 break;
             }
         }
+        if self.kind() == Kind::For {
+            return self.expected("the next branch", BUILDER_HELP);
+        }
         let kind = ExprKind::Piecewise {
             branches,
             otherwise,
@@ -265,6 +291,7 @@ impl Parser<'_> {
                 self.advance();
                 Ok((value, None))
             }
+            Kind::In => self.expected("`if` or `otherwise`", BUILDER_HELP),
             _ => self.expected(
                 "`if` or `otherwise`",
                 "a branch is `value if condition` or `value otherwise`",

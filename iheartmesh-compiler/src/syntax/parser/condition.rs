@@ -1,13 +1,14 @@
 //! Conditions and sets.
 
 use super::super::ast::{CompareOp, Condition, ConditionKind, Expr, ExprKind, Name};
+use super::super::spelling::{look_alike, look_alike_help};
 use super::super::token::Kind;
 use super::expression::make;
 use super::{Context, Parsed, Parser};
 use crate::diagnostic::Diagnostic;
 use crate::span::Span;
 
-const BUILDER_HELP: &str = "a set is built as `{e for x ∈ S if condition}`";
+pub(super) const BUILDER_HELP: &str = "a set is built as `{e for x ∈ S if condition}`";
 
 fn both(
     kind: fn(Box<Condition>, Box<Condition>) -> ConditionKind,
@@ -196,8 +197,23 @@ impl Parser<'_> {
     fn builder_variables(&mut self) -> Parsed<Vec<Name>> {
         self.advance();
         let variables = self.bound_names("a variable", BUILDER_HELP)?;
+        if self.kind() != Kind::In {
+            self.no_look_alike(&variables)?;
+        }
         self.expect(Kind::In, "`∈`", BUILDER_HELP)?;
         Ok(variables)
+    }
+
+    /// Reports a letter among bound names that looks like `∈`.
+    pub(super) fn no_look_alike(&mut self, names: &[Name]) -> Parsed<()> {
+        let others = names.iter().skip(1);
+        let mut signs = others.filter(|name| look_alike(&name.text).is_some_and(|(s, _)| s == "∈"));
+        let Some(name) = signs.next() else {
+            return Ok(());
+        };
+        let message = format!("`{}` is a letter, not the sign of membership", name.text);
+        let help = look_alike_help(&name.text).unwrap_or_default();
+        self.fail(Diagnostic::error(name.span, message).help(help))
     }
 
     /// `i`, `i, j` or `(i, j)`: the members of a set, or the items of its tuples.
@@ -223,7 +239,11 @@ impl Parser<'_> {
             }
             false => None,
         };
-        self.expect(Kind::RightBrace, "`}`", BUILDER_HELP)?;
+        let what = match condition {
+            Some(_) => "`}`",
+            None => "`if` or `}`",
+        };
+        self.expect(Kind::RightBrace, what, BUILDER_HELP)?;
         Ok(condition)
     }
 

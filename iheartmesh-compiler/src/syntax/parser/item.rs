@@ -165,10 +165,13 @@ impl Parser<'_> {
             .map_or("", |t| t.name.text.as_str());
         let error = if declares {
             let message = format!("local declaration `{local}` is not a parameter of `{target}`");
-            let help = format!(
-                "declare `{local}` on a line of its own to make it a parameter of the module, or \
-                 write `{target}({local}) = …`"
-            );
+            let help = match self.is_bound_before() {
+                true => format!("the sum or set knows `{local}`: remove its declaration here"),
+                false => format!(
+                    "declare `{local}` on a line of its own to make it a parameter of the module, or \
+                     write `{target}({local}) = …`"
+                ),
+            };
             Diagnostic::error(span, message).help(help)
         } else {
             let message = format!("`{target}` has no parameters, so it has no local definitions");
@@ -177,6 +180,19 @@ impl Parser<'_> {
         };
         self.report(error);
         self.skip_item();
+    }
+
+    /// Whether the name here stands before an `∈` above in this item.
+    fn is_bound_before(&mut self) -> bool {
+        let name = self.kind();
+        let mut index = self.at;
+        while index > 1 && self.tokens[index - 1].kind != Kind::Newline {
+            index -= 1;
+            if self.tokens[index].kind == Kind::In && self.tokens[index - 1].kind == name {
+                return true;
+            }
+        }
+        false
     }
 
     fn import(&mut self) -> Parsed<Import> {

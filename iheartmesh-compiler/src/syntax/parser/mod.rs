@@ -17,6 +17,7 @@ use super::ast::{Import, ItemKind, Module, Name};
 use super::layout::{NONE, partners};
 use super::lexer::Texts;
 use super::names::ItemNames;
+use super::spelling::{look_alike, look_alike_help};
 use super::split::{Prepared, prepare};
 use super::token::{Kind, TextId, Token};
 use super::{ImportedNames, MOST_ERRORS, MOST_HEIGHT, MOST_NESTING, NoImports};
@@ -296,6 +297,7 @@ impl Parser<'_> {
             Kind::Stray if self.token_text() == "'" => {
                 Some("a prime is part of a name only in back-ticks, as in `x'` between back-ticks")
             }
+            Kind::Stray if look_alike(self.token_text()).is_some() => None,
             Kind::Stray if is_rare_subscript(self.token_text()) => {
                 Some("there is no such subscript character in the language; write `x_r`")
             }
@@ -307,13 +309,27 @@ impl Parser<'_> {
             Kind::RightBrace if unmatched => {
                 Some("a piecewise value has no closing brace; remove it")
             }
+            Kind::Assign if self.is_compound() => {
+                Some("only `+=` changes what is defined above: write `y += (-a)`")
+            }
             _ => None,
         };
+        let is_sign = kind == Kind::Stray
+            || what.contains('∈')
+                && look_alike(self.token_text()).is_some_and(|(sign, _)| sign == "∈");
+        let alike = look_alike_help(self.token_text()).filter(|_| is_sign);
         let message = match kind {
             Kind::Stray => format!("unexpected character {found}"),
             _ => format!("expected {what}, found {found}"),
         };
-        self.fail(Diagnostic::error(span, message).help(special.unwrap_or(help)))
+        let help = alike.unwrap_or_else(|| special.unwrap_or(help).to_owned());
+        self.fail(Diagnostic::error(span, message).help(help))
+    }
+
+    /// Whether the `=` here belongs to a sign such as `-=`.
+    fn is_compound(&mut self) -> bool {
+        let before = self.at.checked_sub(1).map(|at| self.tokens[at].kind);
+        self.tight(0) && matches!(before, Some(Kind::Minus | Kind::Star | Kind::Slash))
     }
 
     fn token_text(&mut self) -> &str {
@@ -325,7 +341,28 @@ impl Parser<'_> {
         if self.kind() == kind {
             return Ok(self.advance());
         }
+        if kind == Kind::RightParen
+            && matches!(self.kind(), Kind::Newline | Kind::End)
+            && let Some(open) = self.unclosed()
+        {
+            let error = Diagnostic::error(self.span(open), "this `(` is not closed");
+            return self.fail(error.help(help));
+        }
         self.expected(what, help)
+    }
+
+    /// The last `(` of this line that nothing closes.
+    fn unclosed(&mut self) -> Option<Token> {
+        let mut index = self.at;
+        while index > 0 && self.tokens[index - 1].kind != Kind::Newline {
+            index -= 1;
+            self.steps += 1;
+            let token = self.tokens[index];
+            if token.kind == Kind::LeftParen && self.partners[index] == NONE {
+                return Some(token);
+            }
+        }
+        None
     }
 
     /// A name, function or not.
