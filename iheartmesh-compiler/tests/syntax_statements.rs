@@ -370,7 +370,7 @@ fn separators() {
                Error: expected the end of the item, found `)`
                = each item stands on a line of its own; use parentheses to go on over a line break
             (a
-               Error: expected `)`, found the end of the text
+               Error: this `(` is not closed
                = close the parenthesis
             {a, b
                Error: expected `,` or `}`, found the end of the text

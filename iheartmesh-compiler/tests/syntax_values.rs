@@ -43,8 +43,8 @@ fn sums() {
             ∑(i ∈ S) w_i
                => expression (∑ (i ∈ S) w[i])
             ∑_i=1^n w_i
-               Error: expected a blank after the index, found `=`
-               = write `∑_i`, `∑_(i ∈ S)`, `∑_(i for condition)` or `∑_(i = a)^b`
+               Error: what `i` runs over stands in parentheses
+               = write `∑_(i = 1)^n`
             ∏_i w_i
                => expression (∏ i w[i])
             ∑_(k ∈ S ∪ W) k
