@@ -10,7 +10,49 @@ use crate::types::display::plural;
 use crate::types::{Dimension, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
+    /// A boundary matrix as a sparse matrix of numbers, where it is multiplied by such or by another one; anything else as
+    /// it is.
+    fn with_numbers(&mut self, e: ExprId, other: &Type) -> ExprId {
+        let beside = other.shape().is_some() || matches!(other, Type::Matrix { .. });
+        match self.ty(e).clone() {
+            Type::Matrix {
+                rows,
+                columns,
+                spaces: Some(_),
+                ..
+            } if beside => {
+                let ty = Type::Matrix {
+                    number: Number::Real,
+                    rows,
+                    columns,
+                    sparse: true,
+                    spaces: None,
+                };
+                self.add(Kind::Unary(Unary::ToReal, e), ty)
+            }
+            _ => e,
+        }
+    }
+
     pub(super) fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let of_two_meshes = match (&ta, &tb) {
+            (
+                Type::Matrix {
+                    spaces: Some((_, columns)),
+                    ..
+                },
+                Type::Matrix {
+                    spaces: Some((rows, _)),
+                    ..
+                },
+            ) => columns.mesh != rows.mesh,
+            _ => false,
+        };
+        let (a, b) = match of_two_meshes {
+            true => (a, b),
+            false => (self.with_numbers(a, &tb), self.with_numbers(b, &ta)),
+        };
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
@@ -81,25 +123,14 @@ impl<'a> Checker<'a> {
             }
             (
                 Type::Matrix {
-                    spaces: Some((_, columns)),
-                    ..
+                    spaces: Some(_), ..
                 },
                 Type::Matrix {
-                    spaces: Some((rows, _)),
-                    ..
+                    spaces: Some(_), ..
                 },
             ) => {
-                if columns.mesh != rows.mesh {
-                    return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
-                }
-                let diagnostic = Diagnostic::error(
-                    sides.e.span,
-                    "products of two boundary matrices are not supported yet",
-                )
-                .label(sides.left.span, format!("this is {}", ta.described()))
-                .label(sides.right.span, format!("this is {}", tb.described()))
-                .help("multiply the matrix on the right and the chain first, as in `B (C δ)`");
-                self.report(diagnostic)
+                // those of one mesh are numbers by now
+                self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH)
             }
             (Type::Sequence { .. }, Type::Scalar(Number::Integer) | Type::Element(_))
             | (Type::Vector { space: None, .. }, Type::Element(_))
@@ -130,7 +161,7 @@ impl<'a> Checker<'a> {
                     "and",
                     &ta,
                     &tb,
-                    "chains are multiplied by boundary matrices and their transposes",
+                    "chains are multiplied by boundary matrices and their transposes, the one beside the chain first, as in `B (C δ)`",
                 )
             }
             _ => self.mismatch(

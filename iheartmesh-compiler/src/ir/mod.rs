@@ -86,7 +86,7 @@ pub enum Unary {
     AbsolutePart,
     /// A vector as a matrix with one column, a 1×1 matrix as a number, and back: the type says which.
     Reshape,
-    /// An integer as a real number.
+    /// An integer as a real number; a boundary matrix as a sparse matrix of real numbers.
     ToReal,
     /// The mathematical number of an element: its host number plus one.
     ToInteger,

@@ -270,6 +270,8 @@ impl Body<'_> {
                 let a = self.owned(a);
                 return quote!((#a).length());
             }
+            // the value of a boundary matrix is a matrix of numbers already
+            Unary::ToReal if matches!(self.kind(a), Kind::Boundary(_)) => return self.owned(a),
             _ => {}
         }
         let a = self.reference(a);
