@@ -3,7 +3,6 @@
 use super::Checker;
 use super::operator::{Sides, differ, extents};
 use super::wording::{NOT_NUMBERS, ONE_MESH};
-use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, Unary};
 use crate::syntax::ast::ExprKind;
 use crate::types::display::plural;
