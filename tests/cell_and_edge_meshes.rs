@@ -61,7 +61,7 @@ for_both! {
     fn boundary_matrices_are_matrices() {
         let mesh = CellMesh::from_tetrahedra(5, &[[0, 1, 2, 3], [1, 2, 3, 4]]).unwrap();
         let u = [1.0, -2.0, 0.5, 3.0, 7.0];
-        let module = Exterior::new(&mesh, &u, DVector::from_row_slice(&u)).unwrap();
+        let module = Exterior::new(&mesh, u, DVector::from_row_slice(&u)).unwrap();
         let differences: Vec<f64> = mesh
             .edges()
             .map(|edge| {
