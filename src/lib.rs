@@ -41,9 +41,20 @@
 //! What generated code runs on is here too, and is useful by itself: the meshes [`FaceMesh`],
 //! [`CellMesh`] and [`EdgeMesh`], the handles of their
 //! elements ([`Vertex`], [`Edge`], [`Face`], [`Cell`]) and sets of them ([`Set`]).
+//!
+//! Where a source has an energy with its gradient and Hessian, [`check_derivatives`] compares them with finite
+//! differences, and, with the feature `solve`, `solve::Newton` and `solve::GradientDescent` search for a minimum; both ask
+//! an [`Objective`], which a generated struct becomes with a line for each method.
 
 pub use iheartmesh_neighborhoods as neighborhoods;
 pub use iheartmesh_runtime::*;
+#[cfg(feature = "solve")]
+pub use iheartmesh_solve::solve;
+pub use iheartmesh_solve::{
+    Comparison, DerivativeCheck, DerivativeError, DerivativeReport, Failure, Functions, Item,
+    Objective, TwiceDifferentiable, WrongLength, check_derivatives, check_gradient, inverse_vec,
+    vec,
+};
 
 /// Compiles modules written in mathematical notation, each into a struct.
 ///

@@ -71,13 +71,15 @@ const LONGER: [(&str, &str); 4] = [
 ];
 
 /// Where the Rust of the workspace stands.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 13] = [
     "src",
     "iheartmesh-compiler/src",
     "iheartmesh-compiler/tests",
     "iheartmesh-macros/src",
     "iheartmesh-runtime/src",
     "iheartmesh-runtime/tests",
+    "solve/src",
+    "solve/tests",
     "neighborhoods/src",
     "tests/random-programs/generate",
     "tests/random-programs/tests",
