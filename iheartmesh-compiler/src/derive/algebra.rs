@@ -200,7 +200,10 @@ impl Algebra<'_> {
             b.rows == block.rows && b.columns == block.columns && *self.arena.ty(b.value) == ty
         });
         match same {
-            Some(other) => other.value = self.add(other.value, block.value),
+            Some(other) => {
+                other.value = self.add(other.value, block.value);
+                other.core = None;
+            }
             None => blocks.push(block),
         }
     }

@@ -349,6 +349,7 @@ impl<'n, 'a> Reverse<'n, 'a> {
                 rows: vec![place],
                 columns: Vec::new(),
                 value,
+                core: None,
             },
             Target::Row(row, ..) => {
                 let mut algebra = self.normal.algebra();
@@ -365,6 +366,7 @@ impl<'n, 'a> Reverse<'n, 'a> {
                     rows: vec![*row],
                     columns: vec![place],
                     value,
+                    core: None,
                 }
             }
         };

@@ -174,6 +174,7 @@ impl Reverse<'_, '_> {
             rows,
             columns,
             value,
+            core: None,
         }];
         self.algebra()
             .arena

@@ -223,10 +223,12 @@ macro_rules! each_operand {
                         rows,
                         columns,
                         value,
+                        core,
                     } = block;
                     rows.$iter().for_each(&mut visit);
                     columns.$iter().for_each(&mut visit);
                     visit(value);
+                    core.$iter().for_each(&mut visit);
                 }
             }
             Kind::Unary(_, a)

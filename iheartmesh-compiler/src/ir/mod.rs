@@ -14,13 +14,15 @@
 mod arena;
 mod display;
 mod failure;
+mod listing;
 mod program;
 mod unproven;
 pub mod validate;
 
 pub use arena::{Arena, ExprId, Node};
-pub use display::{expression, program, types};
+pub use display::expression;
 pub use failure::{failure, no_optimum};
+pub use listing::{program, types};
 pub use program::{
     Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Pairs, Parameter,
     Program, Site,
@@ -277,6 +279,9 @@ pub struct Block {
     pub columns: Vec<ExprId>,
     /// The value.
     pub value: ExprId,
+    /// A symmetric matrix, smaller than the value: where it is positive semi-definite, so is the value. Kept only where
+    /// eigenvalues of the value are replaced; it has no part in what the block adds.
+    pub core: Option<ExprId>,
 }
 
 /// The kinds of expressions.

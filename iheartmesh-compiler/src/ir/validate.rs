@@ -2,7 +2,7 @@
 //! builds with debug assertions.
 
 use super::{Binary, ExprId, Fold, Kind, Program, Range, Restriction};
-use crate::types::Type;
+use crate::types::{Shape, Type};
 
 /// The first broken rule, if there is one.
 ///
@@ -121,6 +121,19 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
             check(
                 *ty(*objective) == Type::REAL,
                 "an optimum of no real number",
+            )
+        }
+        Kind::Assemble { blocks, .. } => {
+            let is_square = |e: ExprId| match ty(e).shape() {
+                Some(Shape::Matrix(n, m)) => n == m,
+                _ => false,
+            };
+            check(
+                blocks.iter().all(|b| {
+                    b.core
+                        .is_none_or(|core| is_square(core) && is_square(b.value))
+                }),
+                "a block that is not square with a core, or a core that is not",
             )
         }
         Kind::Integral {

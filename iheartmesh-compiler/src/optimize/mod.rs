@@ -4,6 +4,7 @@
 //! Each pass is a file with a function `run`; [`Optimizations`] turns each one off, so that tests can compare.
 
 pub mod binding;
+mod cores;
 mod corners;
 mod fields;
 mod inline;
@@ -262,6 +263,7 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     if optimizations.share {
         share::run(&mut program);
     }
+    cores::run(&mut program);
     debug_assert_eq!(crate::ir::validate::validate(&program), Ok(()));
     let binding = binding::Binding::of(&program);
     let mut staged = StagedProgram {
