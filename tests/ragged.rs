@@ -309,7 +309,7 @@ fn indices_that_are_elements() {
     assert_eq!(module.e(), 3);
     assert_eq!(module.f()[..], [DVec3::ONE, DVec3::X, DVec3::ONE]);
     assert_eq!(module.g(), 3);
-    assert_eq!(module.h()[..], [2.0, 4.0, 6.0, 8.0]);
+    assert_eq!(module.h().as_slice(), [2.0, 4.0, 6.0, 8.0]);
     close(module.H(), 20.0);
     close(module.near(v(2)), 6.0);
     assert_eq!(module.ring(), 9);

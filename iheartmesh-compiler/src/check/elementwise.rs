@@ -1,12 +1,14 @@
 //! Indices whose range follows from where they stand, and definitions entry by entry.
 
-use super::index::subscripted;
+use super::index::{condition_parts, is_number_in, is_number_in_condition, subscripted};
 use super::scope::{Binding, Found, Scope};
 use super::{Checker, IndexUse};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Layout, VariableId};
-use crate::syntax::ast::{self, Expr, Name, Subscript};
-use crate::types::{Atom, Dimension, Element, Shape, Type};
+use crate::resolve::{Meaning, ModuleId};
+use crate::syntax::ast::{self, Condition, Expr, Name, Subscript};
+use crate::types::display::plural;
+use crate::types::{Atom, Dimension, Element, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
     /// Binds an index whose range is not yet known.
@@ -107,29 +109,99 @@ impl<'a> Checker<'a> {
         Some((first.dimension, size))
     }
 
-    /// The elements of a mesh that an index runs over, where it stands alone as the subscript of something that these
-    /// index.
-    pub(super) fn element_index(&mut self, index: &Name, of: &[&'a Expr]) -> Option<Element> {
+    /// The elements of a mesh that an index runs over: those that index what it stands alone at as a subscript, or that a
+    /// function takes there. A size that is the number of elements, as in `ℝ^(#V)`, is counted through where the index
+    /// is used as a number.
+    pub(super) fn element_index(
+        &mut self,
+        index: &Name,
+        of: &[&'a Expr],
+        conditions: &[&'a Condition],
+        left: Option<Element>,
+    ) -> Option<Element> {
         let mut bases: Vec<(&'a Name, usize)> = Vec::new();
         for e in of {
             subscripted(e, &index.text, &mut bases);
         }
-        bases.into_iter().find_map(|(name, position)| {
-            let Found::Value(value) = self.find(name) else {
-                return None;
+        for condition in conditions {
+            condition_parts(condition, &mut |e| {
+                subscripted(e, &index.text, &mut bases);
+            });
+        }
+        let mut counted = left;
+        for (name, position) in bases {
+            let value = match self.find(name) {
+                Found::Value(value) => value,
+                Found::Functions(meanings) => match self.element_taken(&meanings, position) {
+                    None => continue,
+                    element => return element,
+                },
+                _ => continue,
             };
             match (self.ty(value), position) {
-                (Type::Sequence { index, .. }, 0) => *index,
+                (Type::Sequence { index, .. }, 0) if index.is_some() => return *index,
                 (
                     Type::Matrix {
                         spaces: Some((rows, columns)),
                         ..
                     },
                     _,
-                ) => Some(if position == 0 { *rows } else { *columns }),
-                _ => None,
+                ) => return Some(if position == 0 { *rows } else { *columns }),
+                (ty, _) => counted = counted.or(counted_through(ty, position)),
             }
-        })
+        }
+        let text = &index.text;
+        let counts = of.iter().any(|e| is_number_in(e, text))
+            || conditions.iter().any(|c| is_number_in_condition(c, text));
+        counted.filter(|_| !counts)
+    }
+
+    /// The elements that a function takes as one of its arguments; nothing where there are several such functions.
+    fn element_taken(
+        &mut self,
+        meanings: &[(ModuleId, Meaning)],
+        position: usize,
+    ) -> Option<Element> {
+        let [(module, Meaning::Functions(items))] = meanings else {
+            return None;
+        };
+        let [item] = items.as_slice() else {
+            return None;
+        };
+        let signature = self.signature(*module, *item)?;
+        match signature.parameters.get(position)? {
+            Type::Element(element) => Some(*element),
+            _ => None,
+        }
+    }
+
+    /// Whether an axis of what is defined has an entry for each of the elements that index it.
+    pub(super) fn is_counted_by(
+        &mut self,
+        ty: &Type,
+        axis: usize,
+        element: Element,
+        index: &Name,
+    ) -> bool {
+        let size = match (ty, axis) {
+            (Type::Vector { length, .. }, _) => length,
+            (Type::Matrix { rows, .. }, 0) => rows,
+            (Type::Matrix { columns, .. }, _) => columns,
+            _ => return true,
+        };
+        if *size == Dimension::atom(Atom::Count(element)) {
+            return true;
+        }
+        let message = format!(
+            "`{}` is {} and indexes {size} entries",
+            index.text,
+            Type::Element(element).described()
+        );
+        let kinds = plural(element.kind);
+        self.report(Diagnostic::error(index.span, message).help(format!(
+            "a size that is the number of {kinds} is written `#V` with the set `V` of all of them"
+        )));
+        false
     }
 
     /// The one size of vectors that are put together: known only at run time where it differs between them.
@@ -203,27 +275,38 @@ impl<'a> Checker<'a> {
             return self.unsupported(definition.span, "this element-wise definition is");
         }
         let mut scope = Scope::default();
-        let element = match (names, slice, ty) {
-            ([(_, name)], None, None) => self.element_index(name, &[&definition.value]),
-            _ => None,
-        };
-        let variables: Vec<VariableId> = distinct
-            .iter()
-            .map(|(_, name)| match element {
+        let mut elements = Vec::new();
+        let mut variables = Vec::new();
+        for (_, name) in distinct {
+            let mut places = names.iter().filter(|(_, other)| other.text == name.text);
+            let left = places.find_map(|(axis, _)| counted_through(ty?, *axis));
+            let element = self.element_index(name, &[&definition.value], &[], left);
+            elements.push(element);
+            variables.push(match element {
                 Some(element) => self.bind(&mut scope, name, Type::Element(element)),
                 None => self.bind_index(&mut scope, name),
-            })
-            .collect();
+            });
+        }
         if let Some(ty) = ty {
-            for (k, (axis, name)) in names.iter().enumerate() {
-                let variable = variables[k.min(variables.len() - 1)];
-                self.note_left_index(variable, name, ty, *axis);
+            for (axis, name) in names {
+                let known = distinct
+                    .iter()
+                    .position(|(_, other)| other.text == name.text);
+                let k = known.unwrap_or_default();
+                match elements[k] {
+                    Some(element) => {
+                        if !self.is_counted_by(ty, *axis, element, name) {
+                            return self.error();
+                        }
+                    }
+                    None => self.note_left_index(variables[k], name, ty, *axis),
+                }
             }
         }
         let body = self.with_scope(scope, |checker| checker.expr(&definition.value));
         let mut ranges = Vec::new();
         let mut failed = self.is_error(body);
-        for (variable, (_, name)) in variables.iter().zip(distinct) {
+        for ((variable, (_, name)), element) in variables.iter().zip(distinct).zip(elements) {
             if failed {
                 self.index_uses.remove(variable);
                 continue;
@@ -268,20 +351,21 @@ impl<'a> Checker<'a> {
         let sequence = matches!(known, Some(Type::Sequence { .. }));
         let sparse = known.is_some_and(Type::is_sparse);
         let (layout, result, body) = match (ty.shape(), variables.len(), slice) {
-            _ if element.is_some() && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (
-                Layout::Sequence,
-                Type::Sequence {
-                    item: Box::new(self.type_of_all(&ty, variables[0], false)),
-                    length: first,
-                    index: element,
-                },
-                body,
-            ),
             (Some(Shape::Scalar), 1, None) if diagonal => (
                 Layout::Diagonal,
                 Type::sparse_matrix(first.clone(), first),
                 self.real(body),
             ),
+            // numbers that belong to elements may be subscripts
+            (Some(Shape::Scalar), 1, None) if !sequence && element.is_some() && ty.is_integer() => {
+                let integers = Type::Vector {
+                    number: Number::Integer,
+                    length: first,
+                    sparse: false,
+                    space: None,
+                };
+                (Layout::Vector, integers, body)
+            }
             (Some(Shape::Scalar), 1, None) if !sequence => {
                 (Layout::Vector, Type::real_vector(first), self.real(body))
             }
@@ -312,16 +396,16 @@ impl<'a> Checker<'a> {
                 Type::Sequence {
                     item: Box::new(Type::REAL),
                     length: first,
-                    index: None,
+                    index: element,
                 },
                 self.real(body),
             ),
             (_, 1, None) if !diagonal && !matches!(ty, Type::Sequence { .. } | Type::Mesh(..)) => (
                 Layout::Sequence,
                 Type::Sequence {
-                    item: Box::new(self.type_of_all(&ty, variables[0], true)),
+                    item: Box::new(self.type_of_all(&ty, variables[0], element.is_none())),
                     length: first,
-                    index: None,
+                    index: element,
                 },
                 body,
             ),
@@ -346,5 +430,19 @@ impl<'a> Checker<'a> {
             },
             result,
         )
+    }
+}
+
+/// The elements that a size of a vector or matrix is the number of.
+pub(super) fn counted_through(ty: &Type, axis: usize) -> Option<Element> {
+    let size = match (ty, axis) {
+        (Type::Vector { length, .. }, 0) => length,
+        (Type::Matrix { rows, .. }, 0) => rows,
+        (Type::Matrix { columns, .. }, 1) => columns,
+        _ => return None,
+    };
+    match size.as_atom() {
+        Some(Atom::Count(element)) => Some(*element),
+        _ => None,
     }
 }

@@ -7,7 +7,7 @@ use super::Checker;
 use super::scope::{Binding, Scope};
 use super::wording::ITEM_BY_ITEM;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Binary, ExprId, Kind, Layout};
+use crate::ir::{Binary, ExprId, Kind, Layout, Unary};
 use crate::resolve::{Meaning, ModuleId};
 use crate::span::Span;
 use crate::syntax::ast::{self, CompareOp, Expr, ExprKind, ItemKind, Name, Subscript};
@@ -295,10 +295,20 @@ impl<'a> Checker<'a> {
                     .help("change the declaration, or leave it out"),
             );
         }
+        let of_elements = matches!(
+            self.program.arena.kind(value),
+            Kind::Tabulate { layout: Layout::Diagonal, variables, .. }
+                if self.program.arena.variable_type(variables[0]).is_element()
+        );
         match ty {
             Type::Sequence { .. } => value,
+            // nobody wants all pairs of elements
+            _ if of_elements => value,
             // a diagonal of a matrix that is declared as dense
-            ty => self.represented(value, ty),
+            ty => {
+                let value = self.real(value);
+                self.represented(value, ty)
+            }
         }
     }
 
@@ -322,9 +332,17 @@ impl<'a> Checker<'a> {
         let base = self.real(base);
         let row = self.program.arena.variable(variables[0]);
         let name = self.program.arena.variable_name(variables[0]).to_owned();
-        let other = self.program.arena.new_variable(&name, Type::INTEGER);
+        let index = self.ty(row).clone();
+        let other = self.program.arena.new_variable(&name, index.clone());
         let column = self.program.arena.variable(other);
-        let entry = self.add_at(definition.span, Kind::At(base, row, column), Type::REAL);
+        let mut places = [row, column];
+        for place in &mut places {
+            if index.is_element() {
+                *place = self.add(Kind::Unary(Unary::ToInteger, *place), Type::INTEGER);
+            }
+        }
+        let entry = Kind::At(base, places[0], places[1]);
+        let entry = self.add_at(definition.span, entry, Type::REAL);
         let body = match definition.add {
             true => self.add(Kind::Binary(Binary::Add, entry, body), Type::REAL),
             false => body,

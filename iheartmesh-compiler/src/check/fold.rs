@@ -1,12 +1,11 @@
 //! Sums, products and big unions.
 
 use super::Checker;
-use super::index::condition_parts;
 use super::scope::Scope;
 use super::wording::NOT_NUMBERS;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, Kind, Range};
-use crate::syntax::ast::{BigOp, Definition, Expr, Head};
+use crate::syntax::ast::{BigOp, Condition, Definition, Expr, Head};
 use crate::types::Type;
 use crate::types::display::plural;
 
@@ -47,17 +46,13 @@ impl<'a> Checker<'a> {
             }
             Head::Index(name) | Head::Filtered(name, _) => {
                 let mut scope = Scope::default();
-                let parts: Vec<&'a Expr> = match head {
-                    Head::Filtered(_, condition) => {
-                        let mut parts = vec![body];
-                        condition_parts(condition, &mut |part| parts.push(part));
-                        parts
-                    }
-                    _ => vec![body],
+                let conditions: Vec<&'a Condition> = match head {
+                    Head::Filtered(_, condition) => vec![condition],
+                    _ => Vec::new(),
                 };
                 let locals = locals.iter().map(|local| &local.value);
-                let parts: Vec<&'a Expr> = parts.into_iter().chain(locals).collect();
-                match self.element_index(name, &parts) {
+                let parts: Vec<&'a Expr> = [body].into_iter().chain(locals).collect();
+                match self.element_index(name, &parts, &conditions, None) {
                     Some(element) => {
                         let variable = self.bind(&mut scope, name, Type::Element(element));
                         let ty = Type::set_of(Type::Element(element));

@@ -17,7 +17,90 @@ pub(super) fn subscripted<'a>(e: &'a Expr, index: &str, found: &mut Vec<(&'a Nam
             }
         }
     }
+    if let ExprKind::Call {
+        function,
+        subscripts,
+        ..
+    } = &e.kind
+    {
+        for (position, subscript) in subscripts.iter().enumerate() {
+            if is_named(subscript, index) {
+                found.push((function, position));
+            }
+        }
+    }
     parts(e, index, &mut |part| subscripted(part, index, found));
+}
+
+fn is_named(e: &Expr, index: &str) -> bool {
+    matches!(&e.kind, ExprKind::Name(name) if name.text == index)
+}
+
+/// Whether an index stands where a number stands, and not only alone as a subscript or an argument, in tuples, or beside
+/// names in comparisons.
+pub(super) fn is_number_in(e: &Expr, index: &str) -> bool {
+    let number = |e: &Expr| is_number_in(e, index);
+    let beside = |e: &Expr| !is_named(e, index) && is_number_in(e, index);
+    match &e.kind {
+        ExprKind::Name(name) => name.text == index,
+        ExprKind::Subscript { base, subscripts } => {
+            let subscript = |s: &Subscript| matches!(s, Subscript::Expr(e) if beside(e));
+            number(base) || subscripts.iter().any(subscript)
+        }
+        ExprKind::Call {
+            subscripts,
+            arguments,
+            ..
+        } => subscripts.iter().chain(arguments).any(beside),
+        ExprKind::Vector(items) | ExprKind::Set(items) => items.iter().any(beside),
+        ExprKind::Piecewise {
+            branches,
+            otherwise,
+        } => {
+            let branch = |(value, condition): &(Expr, Condition)| {
+                number(value) || is_number_in_condition(condition, index)
+            };
+            branches.iter().any(branch) || otherwise.iter().any(|e| number(e))
+        }
+        ExprKind::Big {
+            head: Head::Filtered(name, condition),
+            ..
+        } if name.text != index && is_number_in_condition(condition, index) => true,
+        ExprKind::Big {
+            head: Head::Filtered(name, _),
+            body,
+            ..
+        } if name.text != index => number(body),
+        _ => {
+            let mut found = false;
+            parts(e, index, &mut |part| found |= is_number_in(part, index));
+            found
+        }
+    }
+}
+
+/// Whether a condition compares an index with a number.
+pub(super) fn is_number_in_condition(condition: &Condition, index: &str) -> bool {
+    let beside = |e: &Expr| !is_named(e, index) && is_number_in(e, index);
+    match &condition.kind {
+        ConditionKind::And(a, b) | ConditionKind::Or(a, b) => {
+            is_number_in_condition(a, index) || is_number_in_condition(b, index)
+        }
+        ConditionKind::Compare { left, right, .. } => {
+            let is_element = |e: &Expr| {
+                matches!(
+                    e.kind,
+                    ExprKind::Name(_) | ExprKind::Subscript { .. } | ExprKind::Call { .. }
+                )
+            };
+            beside(left)
+                || beside(right)
+                || is_named(left, index) && !is_element(right)
+                || is_named(right, index) && !is_element(left)
+        }
+        ConditionKind::Member { item, set, .. } => beside(item) || is_number_in(set, index),
+        ConditionKind::Error => false,
+    }
 }
 
 /// The expressions of a condition.

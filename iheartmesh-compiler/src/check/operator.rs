@@ -189,6 +189,8 @@ impl<'a> Checker<'a> {
             return self.error();
         }
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
+        let (a, b) = (self.with_entries(a, &tb), self.with_entries(b, &ta));
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let sides = Sides { e, left, right };
         match op {
             BinaryOp::Add if matches!(ta, Type::Set(_)) => self.set_operation(sides, SetOp::Union, a, b),

@@ -33,6 +33,31 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// A sequence of numbers as a vector, where it stands beside a vector or a matrix; anything else as it is.
+    pub(super) fn with_entries(&mut self, e: ExprId, other: &Type) -> ExprId {
+        let beside = match other {
+            Type::Matrix { .. } => true,
+            other => matches!(other.shape(), Some(Shape::Vector(_))),
+        };
+        match self.ty(e).clone() {
+            Type::Sequence { item, length, .. } if beside && item.is_scalar() => {
+                let items = match item.is_integer() {
+                    true => self.convert(
+                        e,
+                        &Type::Sequence {
+                            item: Box::new(Type::REAL),
+                            length: length.clone(),
+                            index: None,
+                        },
+                    ),
+                    false => e,
+                };
+                self.add(Kind::Unary(Unary::Stack, items), Type::real_vector(length))
+            }
+            _ => e,
+        }
+    }
+
     pub(super) fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let of_two_meshes = match (&ta, &tb) {

@@ -1,16 +1,16 @@
 //! Sparse matrices by conditions: `K_ij = { … if (i, j) ∈ P`, with `K` declared.
 //!
-//! Cells that no condition matches are 0. Where every condition has `(i, j) ∈ P` in it, only the members of the sets are
+//! Cells that no condition matches are 0. Where every condition has `(i, j) ∈ P`, `j ∈ S` or `i = j` in it, only these cells are
 //! looked at; otherwise all cells are.
 
 use super::Checker;
+use super::elementwise::counted_through;
 use super::scope::{Binding, Scope};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, InputId, Kind, Layout, Pairs, SetOp, Unary, VariableId};
+use crate::ir::{ExprId, Fold, InputId, Kind, Layout, Pairs, Range, SetOp, Unary, VariableId};
 use crate::resolve::names::FreeNames;
-use crate::syntax::ast::{self, Condition, ConditionKind, Expr, ExprKind, Name};
-use crate::types::display::plural;
-use crate::types::{Atom, Dimension, Type};
+use crate::syntax::ast::{self, CompareOp, Condition, ConditionKind, Expr, ExprKind, Name};
+use crate::types::{Atom, Dimension, Element, Type};
 
 impl<'a> Checker<'a> {
     /// The cells of a matrix of a type with known sizes.
@@ -34,18 +34,24 @@ impl<'a> Checker<'a> {
                     )),
             );
         }
-        let mut sets: Vec<(ExprId, &'a Expr)> = Vec::new();
-        for (_, condition) in branches {
-            let Some(set) = pairs_of(condition, names) else {
-                return self.all_cells(definition, names, branches, ty);
+        let values: Vec<&'a Expr> = branches.iter().map(|(value, _)| value).collect();
+        let conditions: Vec<&'a Condition> = branches.iter().map(|(_, c)| c).collect();
+        let elements = [0, 1].map(|axis| {
+            let left = counted_through(ty, axis);
+            self.element_index(names[axis], &values, &conditions, left)
+        });
+        let mut sets: Vec<ExprId> = Vec::new();
+        for condition in conditions {
+            let set = cells_of(condition, names);
+            let Some(value) = set.and_then(|cells| self.pairs(cells, names, elements)) else {
+                return self.all_cells(definition, names, branches, (ty, elements));
             };
-            let value = self.expr(set);
             if self.is_error(value) {
                 return value;
             }
-            sets.push((value, set));
+            sets.push(value);
         }
-        let first = self.ty(sets[0].0).clone();
+        let first = self.ty(sets[0]).clone();
         let members = match &first {
             Type::Set(member) => match &**member {
                 Type::Tuple(items) if items.len() == 2 => items.clone(),
@@ -56,10 +62,10 @@ impl<'a> Checker<'a> {
         let index = |ty: &Type| *ty == Type::INTEGER || ty.is_element();
         if !members.iter().all(index)
             || members.is_empty()
-            || sets.iter().any(|(set, _)| *self.ty(*set) != first)
+            || sets.iter().any(|set| *self.ty(*set) != first)
         {
             // what does not fit is reported where it stands in a condition
-            return self.all_cells(definition, names, branches, ty);
+            return self.all_cells(definition, names, branches, (ty, elements));
         }
         self.cells_of_pairs(definition, names, branches, (&sets, &members), ty)
     }
@@ -69,18 +75,89 @@ impl<'a> Checker<'a> {
             || matches!(&value.kind, ExprKind::Real(value) if *value == 0.0)
     }
 
+    /// The set of the pairs that a condition may hold for, in error where it has been reported; nothing where it is not
+    /// known beforehand.
+    fn pairs(
+        &mut self,
+        cells: Cells<'a>,
+        names: [&'a Name; 2],
+        elements: [Option<Element>; 2],
+    ) -> Option<ExprId> {
+        let (outer, set) = match cells {
+            Cells::Pairs(set) => return Some(self.expr(set)),
+            Cells::InRow(set) => (0, Some(set)),
+            Cells::InColumn(set) => (1, Some(set)),
+            Cells::Diagonal => (0, None),
+        };
+        // of numbers, those outside of the matrix do not count
+        let element = elements[outer]?;
+        let index = Type::Element(element);
+        // all rows, or all columns
+        let all = Type::set_of(index.clone());
+        let range = Range::Set(self.add(Kind::AllElements(element), all));
+        let mut scope = Scope::default();
+        let variable = self.bind(&mut scope, names[outer], index.clone());
+        let own = self.program.arena.variable(variable);
+        let body = match set {
+            None => {
+                let pair = Type::Tuple(vec![index.clone(), index]);
+                let both = self.add(Kind::Tuple(vec![own, own]), pair.clone());
+                self.add(Kind::Set(vec![both]), Type::set_of(pair))
+            }
+            Some(set) => {
+                let set = self.with_scope(scope, |checker| checker.expr(set));
+                let other = match self.ty(set) {
+                    Type::Set(member) => (**member).clone(),
+                    _ => return Some(set),
+                };
+                let name = &names[1 - outer].text;
+                let member = self.program.arena.new_variable(name, other.clone());
+                let mut pair = [own, self.program.arena.variable(member)];
+                let mut types = [index, other];
+                if outer == 1 {
+                    pair.reverse();
+                    types.reverse();
+                }
+                let types = Type::Tuple(types.to_vec());
+                let pair = self.add(Kind::Tuple(pair.to_vec()), types.clone());
+                self.add(
+                    Kind::Fold {
+                        op: Fold::Collect,
+                        variable: member,
+                        range: Range::Set(set),
+                        condition: None,
+                        body: pair,
+                    },
+                    Type::set_of(types),
+                )
+            }
+        };
+        if self.is_error(body) {
+            return Some(body);
+        }
+        let all = self.ty(body).clone();
+        let kind = Kind::Fold {
+            op: Fold::Union,
+            variable,
+            range,
+            condition: None,
+            body,
+        };
+        Some(self.add(kind, all))
+    }
+
     /// The cells at the members of sets of pairs.
     fn cells_of_pairs(
         &mut self,
         definition: &'a ast::Definition,
         names: [&'a Name; 2],
         branches: &'a [(Expr, Condition)],
-        (sets, members): (&[(ExprId, &'a Expr)], &[Type]),
+        (sets, members): (&[ExprId], &[Type]),
         ty: &Type,
     ) -> ExprId {
-        let set_type = self.ty(sets[0].0).clone();
-        let mut set = sets[0].0;
-        for (other, _) in &sets[1..] {
+        let set_type = self.ty(sets[0]).clone();
+        let mut set = sets[0];
+        for other in &sets[1..] {
             if *other != set {
                 set = self.add(Kind::SetOp(SetOp::Union, set, *other), set_type.clone());
             }
@@ -133,26 +210,16 @@ impl<'a> Checker<'a> {
                 return self.error();
             };
             if let Type::Element(element) = member
-                && dimension != Dimension::atom(Atom::Count(*element))
+                && !self.is_counted_by(ty, sizes.len(), *element, name)
             {
-                let kinds = plural(element.kind);
-                let message = format!(
-                    "`{}` is {} and indexes {dimension} entries",
-                    name.text,
-                    member.described()
-                );
-                return self.report(
-                    Diagnostic::error(name.span, message)
-                        .label(sets[0].1.span, format!("this is {}", set_type.described()))
-                        .help(format!("a size that is the number of {kinds} is written `#V` with the set `V` of all of them")),
-                );
+                return self.error();
             }
             sizes.push((dimension, size));
         }
         let [(rows, n), (columns, m)] = sizes.as_slice() else {
             return self.error();
         };
-        for (set, _) in sets {
+        for set in sets {
             if let Some((input, first)) = self.input_of(*set)
                 && members.iter().all(|ty| *ty == Type::INTEGER)
             {
@@ -186,20 +253,36 @@ impl<'a> Checker<'a> {
         definition: &'a ast::Definition,
         names: [&'a Name; 2],
         branches: &'a [(Expr, Condition)],
-        ty: &Type,
+        (ty, elements): (&Type, [Option<Element>; 2]),
     ) -> ExprId {
         let mut scope = Scope::default();
         let mut variables = Vec::new();
         for (k, name) in names.into_iter().enumerate() {
-            let variable = self.bind_index(&mut scope, name);
-            self.note_left_index(variable, name, ty, k);
-            variables.push(variable);
+            variables.push(match elements[k] {
+                Some(element) => {
+                    if !self.is_counted_by(ty, k, element, name) {
+                        return self.error();
+                    }
+                    self.bind(&mut scope, name, Type::Element(element))
+                }
+                None => {
+                    let variable = self.bind_index(&mut scope, name);
+                    self.note_left_index(variable, name, ty, k);
+                    variable
+                }
+            });
         }
         let body = self.with_scope(scope, |checker| checker.cases(definition, branches));
         let mut ranges = Vec::new();
-        for (variable, name) in variables.iter().zip(names) {
+        for ((variable, name), element) in variables.iter().zip(names).zip(elements) {
             if self.is_error(body) {
                 self.index_uses.remove(variable);
+                continue;
+            }
+            if let Some(element) = element {
+                let dimension = Dimension::atom(Atom::Count(element));
+                let size = self.add(Kind::Size(dimension.clone()), Type::INTEGER);
+                ranges.push((dimension, size));
                 continue;
             }
             ranges.extend(self.index_range(*variable, name));
@@ -267,26 +350,51 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// The set in `(i, j) ∈ P`, alone or joined to others by `and`, where it is the same for all cells.
-fn pairs_of<'a>(condition: &'a Condition, names: [&Name; 2]) -> Option<&'a Expr> {
+/// Which cells a condition may hold for.
+#[derive(Clone, Copy)]
+enum Cells<'a> {
+    /// `(i, j) ∈ P`.
+    Pairs(&'a Expr),
+    /// `j ∈ S`, where `S` may depend on `i`.
+    InRow(&'a Expr),
+    /// `i ∈ S`, where `S` may depend on `j`.
+    InColumn(&'a Expr),
+    /// `i = j`.
+    Diagonal,
+}
+
+/// The cells that a condition, alone or joined to others by `and`, may hold for, where it says so by a set.
+fn cells_of<'a>(condition: &'a Condition, names: [&Name; 2]) -> Option<Cells<'a>> {
+    let is = |e: &Expr, k: usize| matches!(&e.kind, ExprKind::Name(n) if n.text == names[k].text);
+    let is_free_of = |set: &Expr, k: usize| {
+        let mut free = true;
+        let mut found = |name: &Name| free &= name.text != names[k].text;
+        FreeNames::new(Vec::new(), &mut found).expr(set);
+        free
+    };
     match &condition.kind {
-        ConditionKind::And(a, b) => pairs_of(a, names).or_else(|| pairs_of(b, names)),
+        ConditionKind::And(a, b) => cells_of(a, names).or_else(|| cells_of(b, names)),
+        ConditionKind::Compare {
+            op: CompareOp::Equal,
+            left,
+            right,
+        } if is(left, 0) && is(right, 1) || is(left, 1) && is(right, 0) => Some(Cells::Diagonal),
         ConditionKind::Member {
             item,
             negated: false,
             set,
-        } => {
-            let ExprKind::Vector(items) = &item.kind else {
-                return None;
-            };
-            let is =
-                |e: &Expr, name: &Name| matches!(&e.kind, ExprKind::Name(n) if n.text == name.text);
-            let pair = matches!(items.as_slice(), [i, j] if is(i, names[0]) && is(j, names[1]));
-            let mut same = true;
-            let mut found = |name: &Name| same &= names.iter().all(|index| index.text != name.text);
-            FreeNames::new(Vec::new(), &mut found).expr(set);
-            (pair && same).then_some(&**set)
-        }
+        } => match &item.kind {
+            ExprKind::Vector(items)
+                if matches!(items.as_slice(), [i, j] if is(i, 0) && is(j, 1))
+                    && is_free_of(set, 0)
+                    && is_free_of(set, 1) =>
+            {
+                Some(Cells::Pairs(set))
+            }
+            _ if is(item, 1) && is_free_of(set, 1) => Some(Cells::InRow(set)),
+            _ if is(item, 0) && is_free_of(set, 0) => Some(Cells::InColumn(set)),
+            _ => None,
+        },
         _ => None,
     }
 }

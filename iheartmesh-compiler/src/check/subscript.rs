@@ -1,6 +1,7 @@
 //! Subscripts.
 
 use super::Checker;
+use super::elementwise::counted_through;
 use super::wording::{ONE_MESH, called};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Unary};
@@ -196,6 +197,9 @@ impl<'a> Checker<'a> {
         index: (&'a Expr, ExprId),
         number: Number,
     ) -> ExprId {
+        if !self.is_entry_of(index, vector, 0) {
+            return self.error();
+        }
         let Some(index) = self.position(index, "a vector") else {
             return self.error();
         };
@@ -227,6 +231,9 @@ impl<'a> Checker<'a> {
     ) -> ExprId {
         let mut places = [matrix; 2];
         for (axis, index) in indices.into_iter().enumerate() {
+            if !self.is_entry_of(index, matrix, axis) {
+                return self.error();
+            }
             let Some(index) = self.position(index, "a matrix") else {
                 return self.error();
             };
@@ -322,6 +329,9 @@ impl<'a> Checker<'a> {
         if self.is_error(number) {
             return self.error();
         }
+        if !self.is_entry_of((index, number), matrix, axis.into()) {
+            return self.error();
+        }
         let Some((_, number)) = self.position((index, number), "a matrix") else {
             return self.error();
         };
@@ -334,6 +344,30 @@ impl<'a> Checker<'a> {
             _ => Kind::ColumnOf(matrix, number),
         };
         self.add_at(e.span, kind, vector(length))
+    }
+
+    /// Whether an element, if the index is one, is of those that the entries along an axis belong to.
+    fn is_entry_of(&mut self, index: (&'a Expr, ExprId), array: ExprId, axis: usize) -> bool {
+        let Some(element) = counted_through(self.ty(array), axis) else {
+            return true;
+        };
+        let own = Type::Element(element);
+        let ty = self.ty(index.1).clone();
+        if !ty.is_element() || ty == own {
+            return true;
+        }
+        let (given, takes) = self.described_both(&ty, &own);
+        let what = self.ty(array).described();
+        let message = format!("{given} indexes {what}");
+        let diagnostic = Diagnostic::error(index.0.span, message)
+            .here(format!("this is {given}"))
+            .help(format!(
+                "its entries belong to {}: write {takes} as this subscript",
+                plural(element.kind)
+            ));
+        let diagnostic = self.with_origins(diagnostic, &[index.0]);
+        self.report(diagnostic);
+        false
     }
 
     /// The number of an entry, from 1: an integer, or an element by its place among those of its mesh.

@@ -58,8 +58,8 @@ impl Checker<'_> {
         };
         counts.then(|| {
             format!(
-                "the subscript `{name}` counts from 1, since what it indexes does not say that it is an element; with \
-                 a declaration such as `where {name} ∈ V` behind the definition, it is a parameter"
+                "the subscript `{name}` counts from 1, since nothing says that it is an element: declare what is defined, as in \
+                 `y ∈ ℝ^(#V)`, or make the subscript a parameter, with `where {name} ∈ V` behind the definition"
             )
         })
     }

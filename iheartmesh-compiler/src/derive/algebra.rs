@@ -452,9 +452,19 @@ impl Algebra<'_> {
 
     /// A place as an integer from 1: elements have theirs.
     pub(super) fn place(&mut self, index: ExprId) -> ExprId {
-        match self.arena.ty(index).is_element() {
-            true => self.unary(Unary::ToInteger, index, Type::INTEGER),
-            false => index,
+        match (self.arena.ty(index).is_element(), self.arena.kind(index)) {
+            (true, Kind::Unary(Unary::ToElement, number)) => *number,
+            (true, _) => self.unary(Unary::ToInteger, index, Type::INTEGER),
+            (false, _) => index,
+        }
+    }
+
+    /// The element at a place.
+    pub(super) fn element(&mut self, place: ExprId, ty: Type) -> ExprId {
+        match (self.arena.ty(place).is_element(), self.arena.kind(place)) {
+            (true, _) => place,
+            (false, Kind::Unary(Unary::ToInteger, element)) => *element,
+            (false, _) => self.unary(Unary::ToElement, place, ty),
         }
     }
 

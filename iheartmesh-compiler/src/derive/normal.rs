@@ -233,7 +233,11 @@ impl<'a> Normal<'a> {
     ) -> Result<ExprId, Trouble> {
         let mut all = HashMap::new();
         for (variable, value) in values {
-            let value = self.algebra().place(*value);
+            let ty = self.program.arena.variable_type(*variable).clone();
+            let value = match ty.is_element() {
+                true => self.algebra().element(*value, ty),
+                false => self.algebra().place(*value),
+            };
             all.insert(*variable, value);
         }
         let body = rewrite::substitute(&mut self.program.arena, body, &all);

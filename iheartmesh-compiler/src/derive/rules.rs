@@ -77,11 +77,20 @@ impl Reverse<'_, '_> {
                 body,
             } => {
                 let mut inner = region;
+                let first = variables[0];
                 let one = self.algebra().arena.integer(1);
                 let mut places = Vec::new();
                 for (variable, size) in variables.into_iter().zip(sizes) {
-                    inner = self.inside_of_loop(inner, variable, Range::Integers(one, size), None);
-                    places.push(self.algebra().arena.variable(variable));
+                    let range = match self.algebra().arena.variable_type(variable).clone() {
+                        ty @ Type::Element(element) => {
+                            let all = Kind::AllElements(element);
+                            Range::Set(self.algebra().arena.add(all, Type::set_of(ty)))
+                        }
+                        _ => Range::Integers(one, size),
+                    };
+                    inner = self.inside_of_loop(inner, variable, range, None);
+                    let index = self.algebra().arena.variable(variable);
+                    places.push(self.algebra().place(index));
                 }
                 let ty = self.algebra().dense(body);
                 let i = places[0];
@@ -91,7 +100,10 @@ impl Reverse<'_, '_> {
                     Layout::Diagonal => self.algebra().at(d, i, i),
                     Layout::Rows => self.algebra().arena.add(Kind::RowOf(d, i), ty),
                     Layout::Columns => self.algebra().arena.add(Kind::ColumnOf(d, i), ty),
-                    Layout::Sequence => self.algebra().arena.add(Kind::Item(d, i), ty),
+                    Layout::Sequence => {
+                        let index = self.algebra().arena.variable(first);
+                        self.algebra().arena.add(Kind::Item(d, index), ty)
+                    }
                 };
                 self.give(body, inner, adjoint);
             }

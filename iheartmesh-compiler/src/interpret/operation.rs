@@ -114,6 +114,10 @@ impl Interpreter<'_> {
                 Value::Element(id) => Value::Integer(i64::from(id) + 1),
                 other => panic!("bug in iheartmesh: {other} is no element"),
             },
+            Unary::ToElement => match a {
+                Value::Integer(k) => Value::Element((k - 1) as u32),
+                other => panic!("bug in iheartmesh: {other} is no number"),
+            },
             Unary::ByRows | Unary::ByColumns => a,
             Unary::FromHost => a.counted(),
             Unary::Apply(function) => match a {

@@ -103,6 +103,7 @@ impl Writer<'_> {
                     Unary::Norm => "norm".to_owned(),
                     Unary::ToReal => "real".to_owned(),
                     Unary::ToInteger => "integer".to_owned(),
+                    Unary::ToElement => "element".to_owned(),
                     Unary::Apply(function) => format!("{function:?}").to_lowercase(),
                     other => spelled(&format!("{other:?}")),
                 };

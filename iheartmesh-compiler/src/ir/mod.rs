@@ -92,6 +92,8 @@ pub enum Unary {
     ToReal,
     /// The mathematical number of an element: its host number plus one.
     ToInteger,
+    /// The element with a mathematical number; the number is that of one.
+    ToElement,
     /// The same sparse matrix, stored so that its rows can be walked along.
     ByRows,
     /// The same sparse matrix, stored so that its columns can be walked along.

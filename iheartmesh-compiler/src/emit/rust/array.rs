@@ -331,7 +331,7 @@ impl Body<'_> {
             Unary::ByRows => quote!((#a).to_csr()),
             Unary::ByColumns => quote!((#a).to_csc()),
             Unary::FromHost => quote!(rt::HostCounted::counted(#a)),
-            Unary::Absolute | Unary::SquareRoot | Unary::ToInteger => {
+            Unary::Absolute | Unary::SquareRoot | Unary::ToInteger | Unary::ToElement => {
                 panic!("bug in iheartmesh: {op:?} of an array")
             }
         }

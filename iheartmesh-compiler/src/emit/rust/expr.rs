@@ -351,6 +351,7 @@ impl Body<'_> {
             Unary::SquareRoot => quote!((#value).sqrt()),
             Unary::ToReal => quote!((#value as f64)),
             Unary::ToInteger => quote!((#value as i64 + 1)),
+            Unary::ToElement => quote!(((#value - 1) as u32)),
             Unary::Apply(function) => elementary(function, quote!((#value))),
             _ => self.array_unary(e, op, a),
         }

@@ -5,8 +5,33 @@ use quote::quote;
 
 use super::block::Body;
 use super::place::Part;
-use crate::ir::{ExprId, Kind, Layout, Range};
+use crate::ir::{ExprId, Kind, Layout, Range, VariableId};
 use crate::types::Type;
+
+/// An index of an element-wise definition: an element, or an integer from 1.
+struct Index {
+    name: TokenStream,
+    is_element: bool,
+}
+
+impl Index {
+    /// What it runs over, where there are `n`.
+    fn range(&self, n: &TokenStream) -> TokenStream {
+        match self.is_element {
+            true => quote!(0..#n as u32),
+            false => quote!(1..=#n),
+        }
+    }
+
+    /// Where its value stands, from 0.
+    fn place(&self) -> TokenStream {
+        let name = &self.name;
+        match self.is_element {
+            true => quote!(#name as usize),
+            false => quote!((#name - 1) as usize),
+        }
+    }
+}
 
 impl Body<'_> {
     /// An element-wise definition.
@@ -20,33 +45,36 @@ impl Body<'_> {
         else {
             panic!("bug in iheartmesh: no element-wise definition");
         };
-        let names: Vec<TokenStream> = variables.iter().map(|v| self.variable_name(*v)).collect();
+        let indices: Vec<Index> = variables.iter().map(|v| self.index(*v)).collect();
         let sizes: Vec<TokenStream> = sizes.iter().map(|s| self.owned(*s)).collect();
         let outside = self.placement.part(e, Part::Loop);
         let before = self.statements(outside, &[]);
         let ty = self.context.inner_type(self.ty(e));
-        if let ([first, second], [n, m]) = (names.as_slice(), sizes.as_slice()) {
+        if let ([first, second], [n, m]) = (indices.as_slice(), sizes.as_slice()) {
             let inside = self.placement.part(e, Part::Taken);
             let statements = self.statements(inside, &[]);
             let value = self.owned(*body);
+            let (row, column) = (first.place(), second.place());
             let (start, put, finish) = match layout {
                 Layout::Sparse => (
                     quote!(rt::sparse_blocks(rt::size(n), rt::size(m))),
-                    quote!(rt::put_sparse(&mut all, (#first - 1) as usize, (#second - 1) as usize, &value)),
+                    quote!(rt::put_sparse(&mut all, #row, #column, &value)),
                     quote!(all.to_csc()),
                 ),
                 _ => (
                     quote!(<#ty as rt::Build>::zeros(rt::size(n), rt::size(m))),
-                    quote!(rt::Build::set(&mut all, (#first - 1) as usize, (#second - 1) as usize, value)),
+                    quote!(rt::Build::set(&mut all, #row, #column, value)),
                     quote!(all),
                 ),
             };
+            let (rows, columns) = (first.range(&quote!(n)), second.range(&quote!(m)));
+            let (first, second) = (&first.name, &second.name);
             return quote!({
                 let (n, m) = (#n, #m);
                 let mut all = #start;
-                for #first in 1..=n {
+                for #first in #rows {
                     #before
-                    for #second in 1..=m {
+                    for #second in #columns {
                         #statements
                         let value = #value;
                         #put;
@@ -55,17 +83,19 @@ impl Body<'_> {
                 #finish
             });
         }
-        let (first, n) = (&names[0], &sizes[0]);
+        let (n, place) = (&sizes[0], indices[0].place());
+        let (first, range) = (&indices[0].name, indices[0].range(&quote!((#n))));
         match layout {
             Layout::Vector | Layout::Matrix | Layout::Sparse => {
                 let value = self.owned(*body);
+                let range = indices[0].range(&quote!(n));
                 quote!({
                     let n = #n;
                     let mut all = <#ty as rt::Build>::zeros(rt::size(n), 1);
-                    for #first in 1..=n {
+                    for #first in #range {
                         #before
                         let value = #value;
-                        rt::Build::set(&mut all, (#first - 1) as usize, 0, value);
+                        rt::Build::set(&mut all, #place, 0, value);
                     }
                     all
                 })
@@ -75,10 +105,6 @@ impl Body<'_> {
                 let finish = match layout {
                     Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
                     _ => quote!(all),
-                };
-                let range = match self.context.program().arena.variable_type(variables[0]) {
-                    Type::Element(_) => quote!(0..(#n) as u32),
-                    _ => quote!(1..=(#n)),
                 };
                 quote!({
                     let mut all = ::std::vec::Vec::new();
@@ -119,7 +145,7 @@ impl Body<'_> {
                 };
                 quote!({
                     let mut items = ::std::vec::Vec::new();
-                    for #first in 1..=(#n) {
+                    for #first in #range {
                         #before
                         items.push(#value);
                     }
@@ -127,6 +153,18 @@ impl Body<'_> {
                     <#ty as rt::Build>::build(#rows, #columns, |i, j| #put)
                 })
             }
+        }
+    }
+
+    fn index(&self, variable: VariableId) -> Index {
+        Index {
+            name: self.variable_name(variable),
+            is_element: self
+                .context
+                .program()
+                .arena
+                .variable_type(variable)
+                .is_element(),
         }
     }
 
