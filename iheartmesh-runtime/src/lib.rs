@@ -5,7 +5,8 @@
 //!   boundary matrices ∂¹, ∂², ∂³ and their transposes.
 //! - [`complex::CellComplex`]: the core of every mesh, for code that works on any dimension.
 //! - [`Set`]: the value of every set.
-//! - `io` (with the feature of that name, which is on by default): OBJ, OFF, PLY, MEDIT and VTK.
+//! - `io` (with the feature of that name, which is on by default): OBJ, OFF, PLY, STL, MEDIT, Gmsh and
+//!   VTK; with the feature `gltf` also glTF.
 //!
 //! ```
 //! use iheartmesh_runtime::{Edge, FaceMesh, Vertex};

@@ -332,8 +332,8 @@ fn what_does_not_fit_is_not_written() {
     let none = Attributes::new();
     let face = &[[0, 1, 2]][..];
     assert_eq!(
-        message("a.stl", face, none.clone()),
-        "a.stl: unknown file format; name it .obj, .off, .ply, .mesh or, to write it, .vtk"
+        message("a.blend", face, none.clone()),
+        "a.blend: unknown file format; name it .obj, .off, .ply, .stl, .mesh, .msh, .vtk, .gltf or .glb"
     );
     assert_eq!(
         message("a.ply", &[[0, 1, 3]], none.clone()),

@@ -189,6 +189,24 @@ impl Attributes {
         });
     }
 
+    /// Leaves the values of these vertices only. Lists that are too short lose those that they lack.
+    pub(super) fn keep_vertices(&mut self, kept: &[usize]) {
+        fn chosen<T: Copy>(values: &mut Vec<T>, kept: &[usize]) {
+            *values = kept
+                .iter()
+                .filter_map(|&k| values.get(k).copied())
+                .collect();
+        }
+        let is_of_vertices = |attribute: &&mut Attribute| attribute.element == ElementKind::Vertex;
+        for attribute in self.list.iter_mut().filter(is_of_vertices) {
+            match &mut attribute.values {
+                AttributeValues::Scalar(values) => chosen(values, kept),
+                AttributeValues::Vector(values) => chosen(values, kept),
+                AttributeValues::Color(values) => chosen(values, kept),
+            }
+        }
+    }
+
     /// All attributes in order.
     pub fn iter(&self) -> std::slice::Iter<'_, Attribute> {
         self.list.iter()

@@ -13,6 +13,8 @@ pub enum Place {
     Line(usize),
     /// At a byte of a binary file, counted from 0.
     Byte(usize),
+    /// In an entry, counted from 0, of one of the lists that a file in JSON has, such as `accessors`.
+    Entry(&'static str, usize),
 }
 
 impl Display for Place {
@@ -20,13 +22,15 @@ impl Display for Place {
         match self {
             Place::Line(line) => write!(formatter, "{line}"),
             Place::Byte(byte) => write!(formatter, "byte {byte}"),
+            Place::Entry(list, index) => write!(formatter, "{list}[{index}]"),
         }
     }
 }
 
 /// Why a mesh file could not be read or written.
 ///
-/// Printed as `file:line: what; help`, or `file:byte 1234: what; help` in a binary file.
+/// Printed as `file:line: what; help`, or `file:byte 1234: what; help` in a binary file, or `file:accessors[5]: what; help` in
+/// a glTF file.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum IoError {
@@ -41,6 +45,13 @@ pub enum IoError {
     UnknownFormat {
         /// The file.
         path: PathBuf,
+    },
+    /// The format is known, but not compiled in.
+    MissingFeature {
+        /// The file.
+        path: PathBuf,
+        /// The feature that reads and writes the format.
+        feature: &'static str,
     },
     /// The contents are not what the format demands.
     Malformed {
@@ -71,7 +82,14 @@ impl Display for IoError {
             IoError::UnknownFormat { path } => {
                 write!(
                     formatter,
-                    "{}: unknown file format; name it .obj, .off, .ply, .mesh or, to write it, .vtk",
+                    "{}: unknown file format; name it .obj, .off, .ply, .stl, .mesh, .msh, .vtk, .gltf or .glb",
+                    path.display()
+                )
+            }
+            IoError::MissingFeature { path, feature } => {
+                write!(
+                    formatter,
+                    "{}: this format needs the feature `{feature}` of iheartmesh; add it in Cargo.toml",
                     path.display()
                 )
             }

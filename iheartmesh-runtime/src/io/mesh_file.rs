@@ -1,5 +1,7 @@
 //! What a mesh file holds.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use super::attributes::Attributes;
@@ -31,6 +33,49 @@ impl MeshFile {
             positions: positions.into(),
             ..MeshFile::default()
         }
+    }
+
+    /// Makes one vertex of all that have exactly the same position (−0 is 0), the first of them; it keeps its values. Edges,
+    /// polygons and cells name it, and keep their order.
+    ///
+    /// For files in which a vertex stands once for each normal or texture coordinate, as in glTF, where a surface would
+    /// otherwise be cut along such seams.
+    ///
+    /// ```
+    /// use iheartmesh_runtime::glam::DVec3;
+    /// use iheartmesh_runtime::io::MeshFile;
+    ///
+    /// let mut file = MeshFile::of_positions([DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X, DVec3::ONE, DVec3::Y]);
+    /// file.polygons.push(&[0, 1, 2]);
+    /// file.polygons.push(&[3, 4, 5]);
+    /// file.merge_equal_positions();
+    /// assert_eq!(file.positions.len(), 4);
+    /// assert_eq!(file.polygons.get(1), Some(&[1, 3, 2][..]));
+    /// ```
+    pub fn merge_equal_positions(&mut self) {
+        // a file that was built by hand may have any positions: NaN equals itself here
+        let key = |position: DVec3| position.to_array().map(|x| (x + 0.0).to_bits());
+        let mut kept: Vec<usize> = Vec::new();
+        let mut first = HashMap::with_capacity(self.positions.len());
+        let mut names = Vec::with_capacity(self.positions.len());
+        for (vertex, &position) in self.positions.iter().enumerate() {
+            let name = *first.entry(key(position)).or_insert_with(|| {
+                kept.push(vertex);
+                kept.len() as u32 - 1
+            });
+            names.push(name);
+        }
+        let rename = |vertex: &mut u32| {
+            if let Some(name) = names.get(*vertex as usize) {
+                *vertex = *name;
+            }
+        };
+        self.edges.iter_mut().flatten().for_each(rename);
+        self.polygons.corners.iter_mut().for_each(rename);
+        self.tetrahedra.iter_mut().flatten().for_each(rename);
+        self.hexahedra.iter_mut().flatten().for_each(rename);
+        self.positions = kept.iter().map(|&vertex| self.positions[vertex]).collect();
+        self.attributes.keep_vertices(&kept);
     }
 
     /// The mesh of all edges that stand in the file as such.

@@ -1,4 +1,4 @@
-//! Mesh files: OBJ, OFF, PLY, MEDIT and VTK, chosen by the extension of the file name.
+//! Mesh files: OBJ, OFF, PLY, STL, MEDIT, Gmsh, VTK and glTF, chosen by the extension of the file name.
 //!
 //! ```no_run
 //! use iheartmesh_runtime::io::{self, Attributes};
@@ -16,24 +16,32 @@
 //! | OBJ | positions, polygons, vertex colours | the same |
 //! | OFF | positions, polygons, vertex and face colours, vertex normals | the same |
 //! | PLY | text and binary: positions, polygons, all values on vertices and faces | the same, binary |
-//! | MEDIT (`.mesh`) | text: positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra | the same |
-//! | VTK (`.vtk`) | | positions, edges, polygons, tetrahedra, hexahedra, all values |
+//! | MEDIT (`.mesh`) | text: positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra | the same, no values |
+//! | Gmsh (`.msh`) | 2.2 and 4.1, text and binary: the same, and all values | 2.2, text; no colours |
+//! | VTK (`.vtk`, legacy) | text and binary: positions, edges, polygons, tetrahedra, hexahedra, all values | the same, text |
+//! | STL | text and binary: triangles, with normals; equal corners become one vertex | the same, binary, `f32` |
+//! | glTF (`.gltf`, `.glb`), with the feature `gltf` | positions, triangles, edges, values on vertices | the same, `f32` |
 //!
 //! Vertices and faces keep their order, vertices that no face names are kept, polygons are not split, and positions are
-//! read as `f64`. A file that is not what its format demands is an [`IoError`] with the place; memory stays within a
-//! small multiple of the size of the file.
+//! read as `f64`. What a format cannot hold is an error, not left out. A file that is not what its format demands is an
+//! [`IoError`] with the place; memory stays within a small multiple of the size of the file.
 
 mod attributes;
 mod error;
+#[cfg(feature = "gltf")]
+mod gltf;
 mod medit;
 mod mesh_file;
+mod msh;
 mod obj;
 mod off;
 mod ply;
+mod stl;
+mod stream;
 mod text;
 mod vtk;
 
-use std::path::Path;
+use std::path::{Component, Path};
 
 use glam::DVec3;
 
@@ -49,7 +57,13 @@ enum Format {
     Obj,
     Off,
     Ply,
+    #[cfg(feature = "gltf")]
+    Gltf,
+    #[cfg(feature = "gltf")]
+    Glb,
     Medit,
+    Msh,
+    Stl,
     Vtk,
 }
 
@@ -64,7 +78,18 @@ impl Format {
             "obj" => Ok(Format::Obj),
             "off" => Ok(Format::Off),
             "ply" => Ok(Format::Ply),
+            #[cfg(feature = "gltf")]
+            "gltf" => Ok(Format::Gltf),
+            #[cfg(feature = "gltf")]
+            "glb" => Ok(Format::Glb),
+            #[cfg(not(feature = "gltf"))]
+            "gltf" | "glb" => Err(IoError::MissingFeature {
+                path: path.to_owned(),
+                feature: "gltf",
+            }),
             "mesh" => Ok(Format::Medit),
+            "stl" => Ok(Format::Stl),
+            "msh" => Ok(Format::Msh),
             "vtk" => Ok(Format::Vtk),
             _ => Err(IoError::UnknownFormat {
                 path: path.to_owned(),
@@ -76,8 +101,8 @@ impl Format {
 /// Reads a mesh file. The extension of `path` (in any case) chooses the format.
 ///
 /// # Errors
-/// [`IoError::UnknownFormat`] for another extension, [`IoError::File`] if the file cannot be read,
-/// [`IoError::Malformed`] with the place if its contents are wrong.
+/// [`IoError::UnknownFormat`] for another extension, [`IoError::MissingFeature`] for one whose format is not compiled in,
+/// [`IoError::File`] if the file cannot be read, [`IoError::Malformed`] with the place if its contents are wrong.
 pub fn read(path: impl AsRef<Path>) -> Result<MeshFile, IoError> {
     let path = path.as_ref();
     Format::of(path)?;
@@ -85,27 +110,46 @@ pub fn read(path: impl AsRef<Path>) -> Result<MeshFile, IoError> {
         path: path.to_owned(),
         source,
     })?;
-    from_bytes(path, &bytes)
+    parse(path, &bytes, &|name| beside(path, name))
 }
 
 /// Reads the contents of a mesh file from memory. `path` chooses the format and stands in errors; it is not opened.
 ///
 /// # Errors
-/// As [`read`], without [`IoError::File`].
+/// As [`read`], without [`IoError::File`]; also where a glTF file has data in other files.
 pub fn from_bytes(path: impl AsRef<Path>, bytes: &[u8]) -> Result<MeshFile, IoError> {
-    let path = path.as_ref();
+    let refuse = |_: &str| Err("other files are not opened for contents in memory".to_owned());
+    parse(path.as_ref(), bytes, &refuse)
+}
+
+/// A file in the folder of another one or below.
+fn beside(path: &Path, name: &str) -> Result<Vec<u8>, String> {
+    let is_below = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+    if name.contains("://") || !Path::new(name).components().all(is_below) {
+        return Err("it must be in the same folder or below".to_owned());
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    std::fs::read(folder.join(name)).map_err(|cause| cause.to_string())
+}
+
+/// Reads the contents of a file; `_open` reads another one that it refers to, or says why not.
+fn parse(
+    path: &Path,
+    bytes: &[u8],
+    _open: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<MeshFile, IoError> {
     // Names and comments may be in any encoding; what matters is ASCII.
     let text = || String::from_utf8_lossy(bytes);
     match Format::of(path)? {
         Format::Obj => obj::read(&text()),
         Format::Off => off::read(&text()),
         Format::Ply => ply::read(bytes),
-        Format::Medit => medit::read(&text()),
-        Format::Vtk => {
-            return Err(IoError::UnknownFormat {
-                path: path.to_owned(),
-            });
-        }
+        #[cfg(feature = "gltf")]
+        Format::Gltf | Format::Glb => gltf::read(bytes, _open),
+        Format::Medit => medit::read(bytes),
+        Format::Msh => msh::read(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Vtk => vtk::read(bytes),
     }
     .map_err(|malformed| malformed.in_file(path))
 }
@@ -150,7 +194,13 @@ pub fn to_bytes(
             Format::Obj => obj::write(positions, faces, attributes),
             Format::Off => off::write(positions, faces, attributes),
             Format::Ply => ply::write(positions, faces, attributes),
+            Format::Stl => stl::write(positions, faces, attributes),
+            #[cfg(feature = "gltf")]
+            Format::Gltf => gltf::write(&collected(positions, faces, attributes), false),
+            #[cfg(feature = "gltf")]
+            Format::Glb => gltf::write(&collected(positions, faces, attributes), true),
             Format::Medit => medit::write(&collected(positions, faces, attributes)),
+            Format::Msh => msh::write(&collected(positions, faces, attributes)),
             Format::Vtk => vtk::write(&collected(positions, faces, attributes)),
         })
         .map_err(|cannot| cannot.about(path))
@@ -196,14 +246,20 @@ pub fn file_to_bytes(path: impl AsRef<Path>, file: &MeshFile) -> Result<Vec<u8>,
     check_file(file)
         .and_then(|()| match format {
             Format::Medit => medit::write(file),
+            Format::Msh => msh::write(file),
+            #[cfg(feature = "gltf")]
+            Format::Gltf => gltf::write(file, false),
+            #[cfg(feature = "gltf")]
+            Format::Glb => gltf::write(file, true),
             Format::Vtk => vtk::write(file),
             _ if n_cells + file.edges.len() > 0 => Err(CannotWrite {
                 problem: "this format holds neither edges nor cells".to_owned(),
-                help: "write a .mesh or .vtk file",
+                help: "write a .mesh, .msh or .vtk file",
             }),
             Format::Obj => obj::write(positions, polygons, attributes),
             Format::Off => off::write(positions, polygons, attributes),
             Format::Ply => ply::write(positions, polygons, attributes),
+            Format::Stl => stl::write(positions, polygons, attributes),
         })
         .map_err(|cannot| cannot.about(path))
 }

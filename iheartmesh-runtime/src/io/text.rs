@@ -111,3 +111,20 @@ pub(super) fn shorten(token: &str) -> String {
     }
     shown
 }
+
+/// A name as it is meant where `%20` stands for a blank.
+pub(super) fn percent_decoded(name: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = name.as_bytes();
+    while let Some((&first, others)) = rest.split_first() {
+        let code = others.first_chunk::<2>().and_then(|digits| {
+            let digits = std::str::from_utf8(digits).ok()?;
+            u8::from_str_radix(digits, 16).ok()
+        });
+        (rest, _) = match (first, code) {
+            (b'%', Some(code)) => (&others[2..], bytes.push(code)),
+            _ => (others, bytes.push(first)),
+        };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

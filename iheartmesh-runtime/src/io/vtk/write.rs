@@ -1,24 +1,14 @@
-//! VTK (`.vtk`, the legacy text format 3.0) for ParaView: positions, edges, polygons, tetrahedra, hexahedra, and all values
-//! on vertices, edges, faces and cells. Only written.
-//!
-//! One unstructured grid holds all elements, so that values that belong to elements of one kind are `nan` on the others.
+//! Writing VTK.
 
 use std::fmt::Write;
 
-use super::attributes::AttributeValues;
-use super::error::CannotWrite;
-use super::mesh_file::MeshFile;
+use super::{HEXAHEDRON, LINE, NO_COLOR, POLYGON, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
 use crate::element::ElementKind;
+use crate::io::attributes::{AttributeValues, NORMAL};
+use crate::io::error::CannotWrite;
+use crate::io::mesh_file::MeshFile;
 
-/// The numbers by which VTK knows cells.
-const LINE: u8 = 3;
-const TRIANGLE: u8 = 5;
-const POLYGON: u8 = 7;
-const QUADRILATERAL: u8 = 9;
-const TETRAHEDRON: u8 = 10;
-const HEXAHEDRON: u8 = 12;
-
-pub(super) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
+pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     let edges = file.edges.iter().map(|edge| (LINE, &edge[..]));
     let faces = file.polygons.iter().map(|face| match face.len() {
         3 => (TRIANGLE, face),
@@ -102,7 +92,7 @@ fn values(
         AttributeValues::Scalar(_) => {
             writeln!(text, "SCALARS {name} double 1\nLOOKUP_TABLE default")
         }
-        AttributeValues::Vector(_) if name == super::attributes::NORMAL => {
+        AttributeValues::Vector(_) if name == NORMAL => {
             writeln!(text, "NORMALS {name} double")
         }
         AttributeValues::Vector(_) => writeln!(text, "VECTORS {name} double"),
@@ -120,7 +110,7 @@ fn values(
                 writeln!(text, "{x} {y} {z}")
             }
             AttributeValues::Color(values) => {
-                let value = place(k).map_or([128; 3], |place| values[place]);
+                let value = place(k).map_or(NO_COLOR, |place| values[place]);
                 let [r, g, b] = value.map(|part| f64::from(part) / 255.0);
                 writeln!(text, "{r} {g} {b}")
             }
