@@ -43,6 +43,26 @@ pub enum Error {
         /// The parameter that the size was read from.
         source: String,
     },
+    /// A size that only the items of sequences have, and there are no items.
+    UnknownSize {
+        /// How the size is written in the program.
+        size: String,
+        /// The sequences.
+        sequences: Vec<String>,
+    },
+    /// One index runs over two sizes that differ.
+    Tied {
+        /// Which size of which parameter, such as ``length of `y` ``.
+        what: String,
+        /// That size.
+        found: i64,
+        /// Which size of another parameter, or of a mesh.
+        other: String,
+        /// That size.
+        expected: i64,
+        /// The index.
+        index: String,
+    },
     /// A size that is a quotient is not an integer.
     Fraction {
         /// The parameter.
@@ -136,6 +156,26 @@ impl fmt::Display for Error {
                     false => write!(f, ", and `{source}` says so"),
                 }
             }
+            Error::UnknownSize { size, sequences } => {
+                let names: Vec<String> = sequences.iter().map(|name| format!("`{name}`")).collect();
+                let verb = if names.len() == 1 { "has" } else { "have" };
+                write!(
+                    f,
+                    "the size `{size}` is not known: {} {verb} no items, and nothing else says it",
+                    names.join(" and ")
+                )
+            }
+            Error::Tied {
+                what,
+                found,
+                other,
+                expected,
+                index,
+            } => write!(
+                f,
+                "the {what} is {found} but the {other} is {expected}: the index `{index}` runs \
+                 over both"
+            ),
             Error::Fraction {
                 parameter,
                 written,

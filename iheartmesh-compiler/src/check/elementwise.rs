@@ -18,6 +18,18 @@ impl<'a> Checker<'a> {
         variable
     }
 
+    /// Binds an index that runs over all elements of a kind.
+    pub(super) fn bind_element(
+        &mut self,
+        scope: &mut Scope<'a>,
+        name: &Name,
+        element: Element,
+    ) -> VariableId {
+        let variable = self.bind(scope, name, Type::Element(element));
+        self.all_elements.insert(variable);
+        variable
+    }
+
     /// Notes that an index stands alone as a subscript.
     pub(super) fn note_index_use(&mut self, index: (&'a Expr, ExprId), base: ExprId, axis: u8) {
         let variable = match (
@@ -27,7 +39,11 @@ impl<'a> Checker<'a> {
             (Kind::Variable(variable), _) | (_, Some(variable)) => *variable,
             _ => return,
         };
-        if !self.index_uses.contains_key(&variable) {
+        let element = match self.program.arena.variable_type(variable) {
+            Type::Element(element) => self.all_elements.contains(&variable).then_some(*element),
+            _ => None,
+        };
+        if element.is_none() && !self.index_uses.contains_key(&variable) {
             return;
         }
         let (dimension, of_sequence) = match (self.ty(base), axis) {
@@ -37,6 +53,15 @@ impl<'a> Checker<'a> {
             (Type::Matrix { columns, .. }, _) => (columns.clone(), false),
             _ => return,
         };
+        if let Some(element) = element {
+            // sequences are compared with the mesh
+            if !of_sequence {
+                let count = Dimension::atom(Atom::Count(element));
+                let index = self.program.arena.variable_name(variable).to_owned();
+                self.tie([&dimension, &count], &index);
+            }
+            return;
+        }
         let size = self.extent(base, axis);
         let shown = match (self.ty(base), axis) {
             (ty @ Type::Matrix { .. }, 0) => format!("the rows of {ty}"),
@@ -52,6 +77,31 @@ impl<'a> Checker<'a> {
                 shown,
             });
         }
+    }
+
+    /// Notes that two sizes must be the same, so that they are compared once; whether that is possible.
+    fn tie(&mut self, sizes: [&Dimension; 2], index: &str) -> bool {
+        let is_number = |size: &Dimension| size.value().is_some();
+        let is_known = |size: &Dimension| {
+            is_number(size)
+                || matches!(size.as_atom(), Some(Atom::Count(_)))
+                || self.program.is_given(size)
+        };
+        if self.guarded || sizes[0] == sizes[1] || !sizes.into_iter().all(is_known) {
+            return sizes[0] == sizes[1];
+        }
+        let tie = crate::ir::Tie {
+            sizes: sizes.map(Clone::clone),
+            index: index.to_owned(),
+        };
+        let same = |other: &crate::ir::Tie| {
+            let [a, b] = &other.sizes;
+            other.sizes == tie.sizes || [b, a] == [&tie.sizes[0], &tie.sizes[1]]
+        };
+        if !self.program.ties.iter().any(same) {
+            self.program.ties.push(tie);
+        }
+        true
     }
 
     /// How far an index runs: the size of what it indexes. All of them must agree; the length of a sequence may do so at
@@ -87,6 +137,15 @@ impl<'a> Checker<'a> {
             }
             if other.of_sequence || first.of_sequence || !other.dimension.differs(&first.dimension)
             {
+                let stored = |e: ExprId| {
+                    matches!(self.program.arena.kind(e), Kind::Size(_) | Kind::Integer(_))
+                };
+                if stored(other.size)
+                    && stored(first.size)
+                    && self.tie([&first.dimension, &other.dimension], &name.text)
+                {
+                    continue;
+                }
                 size = self.add_at(
                     other.span,
                     Kind::Agree(other.size, first.size, size),
@@ -283,7 +342,7 @@ impl<'a> Checker<'a> {
             let element = self.element_index(name, &[&definition.value], &[], left);
             elements.push(element);
             variables.push(match element {
-                Some(element) => self.bind(&mut scope, name, Type::Element(element)),
+                Some(element) => self.bind_element(&mut scope, name, element),
                 None => self.bind_index(&mut scope, name),
             });
         }

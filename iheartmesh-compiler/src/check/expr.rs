@@ -316,6 +316,7 @@ impl<'a> Checker<'a> {
         otherwise: Option<&'a Expr>,
     ) -> ExprId {
         let mut cases = Vec::new();
+        let outer = std::mem::replace(&mut self.guarded, true);
         for (value, condition) in branches {
             let condition = self.condition(condition);
             cases.push((value, Some(condition), self.expr(value)));
@@ -323,6 +324,7 @@ impl<'a> Checker<'a> {
         if let Some(value) = otherwise {
             cases.push((value, None, self.expr(value)));
         }
+        self.guarded = outer;
         // what is in error here may be a recursive call whose type is not yet known
         let typed: Vec<_> = cases
             .iter()

@@ -54,7 +54,7 @@ impl<'a> Checker<'a> {
                 let parts: Vec<&'a Expr> = [body].into_iter().chain(locals).collect();
                 match self.element_index(name, &parts, &conditions, None) {
                     Some(element) => {
-                        let variable = self.bind(&mut scope, name, Type::Element(element));
+                        let variable = self.bind_element(&mut scope, name, element);
                         let ty = Type::set_of(Type::Element(element));
                         let set = self.add(Kind::AllElements(element), ty);
                         (variable, Range::Set(set), scope)

@@ -249,7 +249,10 @@ impl<'a> Checker<'a> {
         parameters: &[Parameter],
     ) -> std::collections::BTreeMap<String, ExprId> {
         let mut found = std::collections::BTreeMap::new();
-        for parameter in parameters {
+        // sequences and sets may be empty, and then their items say nothing
+        let is_list = |p: &&Parameter| matches!(p.ty, Type::Sequence { .. } | Type::Set(_));
+        let others = parameters.iter().filter(|p| !is_list(p));
+        for parameter in others.chain(parameters.iter().filter(is_list)) {
             let value = self.program.arena.variable(parameter.variable);
             self.template_sizes_of(value, &mut found);
         }

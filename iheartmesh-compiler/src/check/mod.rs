@@ -73,6 +73,8 @@ pub fn check(resolved: &Resolved, diagnostics: &mut Diagnostics) -> Program {
         letter: None,
         index_uses: BTreeMap::new(),
         index_items: BTreeMap::new(),
+        all_elements: BTreeSet::new(),
+        guarded: false,
         given: BTreeSet::new(),
         n_dynamic: 0,
         plus_minus: None,
@@ -133,6 +135,10 @@ struct Checker<'a> {
     index_uses: BTreeMap<VariableId, Vec<IndexUse>>,
     /// Indices that are items of a pair, with the variables under which their uses are noted.
     index_items: BTreeMap<ExprId, VariableId>,
+    /// Indices that run over all elements of a kind.
+    all_elements: BTreeSet<VariableId>,
+    /// Whether what is checked may have a value although another expression in the same definition has none: a case.
+    guarded: bool,
     /// Symbols of sizes that parameters give.
     given: BTreeSet<String>,
     n_dynamic: u32,

@@ -309,11 +309,13 @@ impl<'a> Checker<'a> {
         branches: &'a [(Expr, Condition)],
     ) -> ExprId {
         let mut cases = Vec::new();
+        let outer = std::mem::replace(&mut self.guarded, true);
         for (value, condition) in branches {
             let condition = self.condition(condition);
             let value = self.expr(value);
             cases.push((condition, self.number_of_cell(definition, value)));
         }
+        self.guarded = outer;
         let mut all = self.program.arena.real(0.0);
         for (condition, value) in cases.into_iter().rev() {
             if self.is_error(value) {

@@ -200,10 +200,11 @@ impl<'a> Checker<'a> {
         if !self.is_entry_of(index, vector, 0) {
             return self.error();
         }
+        let noted = index;
         let Some(index) = self.position(index, "a vector") else {
             return self.error();
         };
-        self.note_index_use(index, vector, 0);
+        self.note_index_use(noted, vector, 0);
         let length = self.ty(vector).fixed_vector();
         if let (Kind::Integer(k), Some(n)) = (self.program.arena.kind(index.1), length)
             && (*k < 1 || *k > n)
@@ -234,11 +235,11 @@ impl<'a> Checker<'a> {
             if !self.is_entry_of(index, matrix, axis) {
                 return self.error();
             }
+            self.note_index_use(index, matrix, axis as u8);
             let Some(index) = self.position(index, "a matrix") else {
                 return self.error();
             };
             places[axis] = index.1;
-            self.note_index_use(index, matrix, axis as u8);
             if !self.in_range(matrix, axis, index) {
                 return self.error();
             }
@@ -332,13 +333,14 @@ impl<'a> Checker<'a> {
         if !self.is_entry_of((index, number), matrix, axis.into()) {
             return self.error();
         }
-        let Some((_, number)) = self.position((index, number), "a matrix") else {
+        let noted = (index, number);
+        let Some((_, number)) = self.position(noted, "a matrix") else {
             return self.error();
         };
         if !self.in_range(matrix, usize::from(axis), (index, number)) {
             return self.error();
         }
-        self.note_index_use((index, number), matrix, axis);
+        self.note_index_use(noted, matrix, axis);
         let kind = match axis {
             0 => Kind::RowOf(matrix, number),
             _ => Kind::ColumnOf(matrix, number),

@@ -92,6 +92,17 @@ impl<'a> Interpreter<'a> {
     }
 
     fn check_inputs(&self) -> Result<(), String> {
+        for tie in &self.program.ties {
+            let scope = Scope::default();
+            let [a, b] = tie.sizes.each_ref().map(|size| self.size(&scope, size));
+            if a != b {
+                let [a, b] = &tie.sizes;
+                return Err(format!(
+                    "`{a}` and `{b}` differ: `{}` runs to both",
+                    tie.index
+                ));
+            }
+        }
         for (id, value) in &self.values {
             let input = self.program.input(*id);
             for (dimension, found) in axes(value, &input.ty) {

@@ -55,6 +55,15 @@ pub struct Pairs {
     pub first: i64,
 }
 
+/// Two sizes that must be the same because one index runs over what has them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tie {
+    /// The sizes: that of an input, not of its items, and that of another, the number of elements of a mesh, or a number.
+    pub sizes: [Dimension; 2],
+    /// The author's name of the index.
+    pub index: String,
+}
+
 /// A definition without parameters.
 #[derive(Clone, Debug)]
 pub struct Global {
@@ -127,6 +136,8 @@ pub struct Program {
     pub inputs: Vec<Input>,
     /// The inputs in order of declaration: the order of the arguments of `new`.
     pub input_order: Vec<InputId>,
+    /// Sizes of inputs that must be the same.
+    pub ties: Vec<Tie>,
     /// Definitions without parameters, each after those it depends on.
     pub globals: Vec<Global>,
     /// Definitions with parameters, of the module and of what it imports.
@@ -154,6 +165,15 @@ impl Program {
     /// A definition with parameters.
     pub fn function(&self, id: FunctionId) -> &Function {
         &self.functions[id.0 as usize]
+    }
+
+    /// Whether an input, and not each of its items, has a size.
+    pub fn is_given(&self, size: &Dimension) -> bool {
+        self.inputs.iter().any(|input| match &input.ty {
+            Type::Vector { length, .. } | Type::Sequence { length, .. } => length == size,
+            Type::Matrix { rows, columns, .. } => rows == size || columns == size,
+            _ => false,
+        })
     }
 
     /// All functions with their ids.

@@ -181,6 +181,32 @@ pub fn check_size(
     })
 }
 
+/// A size that the first item of some sequence gives.
+pub fn known_size(found: Option<i64>, size: &str, sequences: &[&str]) -> Result<i64, Error> {
+    found.ok_or_else(|| Error::UnknownSize {
+        size: size.to_owned(),
+        sequences: sequences.iter().map(|name| (*name).to_owned()).collect(),
+    })
+}
+
+/// Two sizes that one index runs over: of what, which one, and how large.
+pub fn check_tied(
+    (parameter, what, found): (&str, &str, i64),
+    (other, of_other, expected): (&str, &str, i64),
+    index: &str,
+) -> Result<(), Error> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(Error::Tied {
+        what: format!("{what} of `{parameter}`"),
+        found,
+        other: format!("{of_other} of `{other}`"),
+        expected,
+        index: index.to_owned(),
+    })
+}
+
 /// Pairs of numbers of rows and columns of the matrix `of`, of which the host counts the first as `first`.
 pub fn check_pairs(
     parameter: &str,

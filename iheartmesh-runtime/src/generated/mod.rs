@@ -28,7 +28,7 @@ pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element_in, check_in, check_item_size,
     check_length, check_member, check_pairs, check_quotient, check_quotient_size,
-    check_same_length, check_set_argument, check_size, fail, undefined,
+    check_same_length, check_set_argument, check_size, check_tied, fail, known_size, undefined,
 };
 pub use corners::corners;
 pub use dense::*;

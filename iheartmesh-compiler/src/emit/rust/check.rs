@@ -63,6 +63,7 @@ impl Context<'_> {
             }
         }
         checks.extend(self.size_checks(id, input, all));
+        checks.extend(self.tie_checks(id, all));
         checks
     }
 

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::{Context, names};
-use crate::ir::{Function, Input, InputId};
+use crate::ir::{Function, Input, InputId, Parameter};
 use crate::types::{Atom, Dimension, Type};
 
 /// What the messages call a direction.
@@ -190,7 +190,11 @@ impl Context<'_> {
         let mut known = BTreeMap::new();
         let mut checks = TokenStream::new();
         let mut letters: BTreeMap<Dimension, &str> = BTreeMap::new();
-        for parameter in &function.parameters {
+        // sequences may be empty, and then their items say nothing
+        let is_list = |p: &&Parameter| matches!(p.ty, Type::Sequence { .. } | Type::Set(_));
+        let others = function.parameters.iter().filter(|p| !is_list(p));
+        let lists = function.parameters.iter().filter(is_list);
+        for parameter in others.chain(lists) {
             let name = names::argument(&parameter.name);
             if let Type::Sequence { length, .. } = &parameter.ty
                 && matches!(length.as_atom(), Some(Atom::Length(_)))

@@ -24,6 +24,7 @@ mod set;
 mod setter;
 mod size;
 mod tabulate;
+mod tie;
 mod types;
 
 use proc_macro2::{Ident, TokenStream};

@@ -10,14 +10,16 @@ use crate::ir::{ExprId, Input, InputId, Kind, Parameter};
 use crate::types::{Atom, Dimension, Type};
 
 /// One direction of an input.
-struct Axis {
+pub(super) struct Axis {
     /// What it is called in messages.
-    what: &'static str,
-    dimension: Dimension,
+    pub(super) what: &'static str,
+    pub(super) dimension: Dimension,
     /// Its size, as `i64`, of the field at hand.
-    found: TokenStream,
+    pub(super) found: TokenStream,
     /// Whether it is of every item of a sequence.
-    of_items: bool,
+    pub(super) of_items: bool,
+    /// For one of every item: that of the first one, as `Option<i64>`.
+    first: Option<TokenStream>,
 }
 
 impl Context<'_> {
@@ -36,18 +38,50 @@ impl Context<'_> {
                 sources.push((self.size_field(&atom, &input.name), quote!(#field)));
             }
         }
-        for (id, input) in self.values() {
-            for axis in self.axes(id, input) {
-                if let Some(atom @ (Atom::Symbol(name) | Atom::Length(name))) =
-                    axis.dimension.as_atom()
-                    && seen.insert(atom.clone())
-                {
-                    sources.push((self.size_field(atom, name), axis.found));
+        // sequences may be empty, and then their items say nothing
+        for of_items in [false, true] {
+            for (id, input) in self.values() {
+                for axis in self.axes(id, input) {
+                    if axis.of_items == of_items
+                        && let Some(atom @ (Atom::Symbol(name) | Atom::Length(name))) =
+                            axis.dimension.as_atom()
+                        && seen.insert(atom.clone())
+                    {
+                        let found = match of_items {
+                            true => self.size_of_items(atom),
+                            false => axis.found,
+                        };
+                        sources.push((self.size_field(atom, name), found));
+                    }
                 }
             }
         }
         // a symbol that no input gives a value is reported before code is made
         sources
+    }
+
+    /// A size that only the items of sequences have: that of the first item there is; where it is needed and there is none,
+    /// an error.
+    fn size_of_items(&self, atom: &Atom) -> TokenStream {
+        let mut all = Vec::new();
+        let mut names = Vec::new();
+        for (id, input) in self.values() {
+            for axis in self.axes(id, input) {
+                if axis.dimension.as_atom() == Some(atom) {
+                    all.push(axis.first.unwrap_or(axis.found));
+                    names.push(input.name.clone());
+                }
+            }
+        }
+        names.dedup();
+        let found = quote!(::std::option::Option::None #(.or_else(|| #all))*);
+        match self.is_computed_with(atom) {
+            true => {
+                let size = Dimension::atom(atom.clone()).to_string();
+                quote!(rt::known_size(#found, #size, &[#(#names),*])?)
+            }
+            false => quote!(#found.unwrap_or(0)),
+        }
     }
 
     fn is_size(&self, name: &str) -> bool {
@@ -91,7 +125,10 @@ impl Context<'_> {
     /// The sizes that arguments bring along, as `i64`.
     pub(super) fn sizes_of(&self, parameters: &[Parameter]) -> BTreeMap<Atom, TokenStream> {
         let mut sizes = BTreeMap::new();
-        for parameter in parameters {
+        // sequences may be empty, and then their items say nothing
+        let is_list = |p: &&Parameter| matches!(p.ty, Type::Sequence { .. });
+        let others = parameters.iter().filter(|p| !is_list(p));
+        for parameter in others.chain(parameters.iter().filter(is_list)) {
             let name = super::block::variable_ident(self, parameter.variable);
             let axes = match &parameter.ty {
                 Type::Vector { length, .. } => {
@@ -144,23 +181,26 @@ impl Context<'_> {
         {
             return Some(id);
         }
-        self.values()
-            .find(|(id, input)| {
-                self.axes(*id, input)
-                    .iter()
-                    .any(|axis| axis.dimension.as_atom() == Some(atom))
-            })
-            .map(|(id, _)| id)
+        [false, true].into_iter().find_map(|of_items| {
+            self.values()
+                .find(|(id, input)| {
+                    self.axes(*id, input).iter().any(|axis| {
+                        axis.of_items == of_items && axis.dimension.as_atom() == Some(atom)
+                    })
+                })
+                .map(|(id, _)| id)
+        })
     }
 
     /// The directions of an input, for its field at hand.
-    fn axes(&self, id: InputId, input: &Input) -> Vec<Axis> {
+    pub(super) fn axes(&self, id: InputId, input: &Input) -> Vec<Axis> {
         let field = self.input_field(id);
         let axis = |what, dimension: &Dimension, found, of_items| Axis {
             what,
             dimension: dimension.clone(),
             found,
             of_items,
+            first: None,
         };
         let of = |value: TokenStream, ty: &Type, of_items: bool| match ty {
             Type::Vector {
@@ -205,12 +245,14 @@ impl Context<'_> {
                     false,
                 )];
                 let first = of(quote!(item), item, true);
-                axes.extend(first.into_iter().map(|a| Axis {
-                    found: {
-                        let found = &a.found;
-                        quote!(#field.as_ref().first().map_or(0, |item| #found))
-                    },
-                    ..a
+                axes.extend(first.into_iter().map(|a| {
+                    let found = &a.found;
+                    let first = quote!(#field.as_ref().first().map(|item| #found));
+                    Axis {
+                        found: quote!(#first.unwrap_or(0)),
+                        first: Some(first),
+                        ..a
+                    }
                 }));
                 axes
             }
@@ -283,7 +325,11 @@ impl Context<'_> {
                 Some(atom @ (Atom::Symbol(name) | Atom::Length(name)))
                     if self.size_source(atom) == Some(id) =>
                 {
-                    Some((self.size_field(atom, name), atom.clone(), axis.found))
+                    let found = match axis.of_items {
+                        true => self.size_of_items(atom),
+                        false => axis.found,
+                    };
+                    Some((self.size_field(atom, name), atom.clone(), found))
                 }
                 _ => None,
             })
