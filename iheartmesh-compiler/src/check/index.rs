@@ -1,8 +1,125 @@
-//! What an index stands at: the names that have it alone as a subscript.
+//! What an index stands at, and which elements of a mesh it runs over.
 
+use super::Checker;
+use super::scope::Found;
+use crate::diagnostic::Diagnostic;
+use crate::resolve::{Meaning, ModuleId};
 use crate::syntax::ast::{
     Condition, ConditionKind, Definition, Expr, ExprKind, Head, Name, NormSubscript, Subscript,
 };
+use crate::types::display::plural;
+use crate::types::{Atom, Dimension, Element, Type};
+
+impl<'a> Checker<'a> {
+    /// The elements of a mesh that an index runs over: those that index what it stands alone at as a subscript, or that a
+    /// function takes there. A size that is the number of elements, as in `ℝ^(#V)`, is counted through where the index
+    /// is used as a number.
+    pub(super) fn element_index(
+        &mut self,
+        index: &Name,
+        of: &[&'a Expr],
+        conditions: &[&'a Condition],
+        left: Option<Element>,
+    ) -> Option<Element> {
+        let mut bases: Vec<(&'a Name, usize)> = Vec::new();
+        for e in of {
+            subscripted(e, &index.text, &mut bases);
+        }
+        for condition in conditions {
+            condition_parts(condition, &mut |e| {
+                subscripted(e, &index.text, &mut bases);
+            });
+        }
+        let mut counted = left;
+        for (name, position) in bases {
+            let value = match self.find(name) {
+                Found::Value(value) => value,
+                Found::Functions(meanings) => match self.element_taken(&meanings, position) {
+                    None => continue,
+                    element => return element,
+                },
+                _ => continue,
+            };
+            match (self.ty(value), position) {
+                (Type::Sequence { index, .. }, 0) if index.is_some() => return *index,
+                (
+                    Type::Matrix {
+                        spaces: Some((rows, columns)),
+                        ..
+                    },
+                    _,
+                ) => return Some(if position == 0 { *rows } else { *columns }),
+                (ty, _) => counted = counted.or(counted_through(ty, position)),
+            }
+        }
+        let text = &index.text;
+        let counts = of.iter().any(|e| is_number_in(e, text))
+            || conditions.iter().any(|c| is_number_in_condition(c, text));
+        counted.filter(|_| !counts)
+    }
+
+    /// The elements that a function takes as one of its arguments; nothing where there are several such functions.
+    fn element_taken(
+        &mut self,
+        meanings: &[(ModuleId, Meaning)],
+        position: usize,
+    ) -> Option<Element> {
+        let [(module, Meaning::Functions(items))] = meanings else {
+            return None;
+        };
+        let [item] = items.as_slice() else {
+            return None;
+        };
+        let signature = self.signature(*module, *item)?;
+        match signature.parameters.get(position)? {
+            Type::Element(element) => Some(*element),
+            _ => None,
+        }
+    }
+
+    /// Whether an axis of what is defined has an entry for each of the elements that index it.
+    pub(super) fn is_counted_by(
+        &mut self,
+        ty: &Type,
+        axis: usize,
+        element: Element,
+        index: &Name,
+    ) -> bool {
+        let size = match (ty, axis) {
+            (Type::Vector { length, .. }, _) => length,
+            (Type::Matrix { rows, .. }, 0) => rows,
+            (Type::Matrix { columns, .. }, _) => columns,
+            _ => return true,
+        };
+        if *size == Dimension::atom(Atom::Count(element)) {
+            return true;
+        }
+        let message = format!(
+            "`{}` is {} and indexes {size} entries",
+            index.text,
+            Type::Element(element).described()
+        );
+        let kinds = plural(element.kind);
+        self.report(Diagnostic::error(index.span, message).help(format!(
+            "a size that is the number of {kinds} is written `#V` with the set `V` of all of them"
+        )));
+        false
+    }
+}
+
+/// The elements that a size of a vector or matrix is the number of.
+pub(super) fn counted_through(ty: &Type, axis: usize) -> Option<Element> {
+    let size = match (ty, axis) {
+        (Type::Vector { length, .. }, 0) => length,
+        (Type::Matrix { rows, .. }, 0) => rows,
+        (Type::Matrix { columns, .. }, 1) => columns,
+        _ => return None,
+    };
+    match size.as_atom() {
+        Some(Atom::Count(element)) => Some(*element),
+        _ => None,
+    }
+}
 
 /// Adds the names in an expression that have the index alone as a subscript, each with the position of that subscript.
 pub(super) fn subscripted<'a>(e: &'a Expr, index: &str, found: &mut Vec<(&'a Name, usize)>) {

@@ -4,7 +4,7 @@
 //! looked at; otherwise all cells are.
 
 use super::Checker;
-use super::elementwise::counted_through;
+use super::index::counted_through;
 use super::scope::{Binding, Scope};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, InputId, Kind, Layout, Pairs, Range, SetOp, Unary, VariableId};

@@ -1,7 +1,7 @@
 //! Subscripts.
 
 use super::Checker;
-use super::elementwise::counted_through;
+use super::index::counted_through;
 use super::wording::{ONE_MESH, called};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind, Unary};
