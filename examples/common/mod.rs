@@ -4,12 +4,14 @@
 #![allow(dead_code, unused_imports)]
 
 pub mod animation;
+pub mod checkerboard;
 pub mod colour;
+pub mod disk;
 pub mod generate;
 mod lettering;
 pub mod picture;
 pub mod plot;
-mod raster;
+pub mod raster;
 pub mod springs;
 pub mod surface;
 pub mod tetrahedra;

@@ -10,7 +10,7 @@ use tiny_skia::{
 
 use super::colour::{ColourScale, NOT_FINITE};
 use super::lettering::{Anchor, readable, write};
-use super::raster::{Samples, brightness};
+use super::raster::{Framing, Samples, brightness};
 
 pub use super::raster::View;
 
@@ -297,7 +297,6 @@ impl Picture {
 
     /// The largest framing that shows every surface whole in a panel of `width` times `height` pixels.
     fn framing(&self, width: u32, height: u32) -> Framing {
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let points = self.panels.iter().flat_map(|panel| {
             let corners = panel
                 .triangles
@@ -305,20 +304,11 @@ impl Picture {
                 .flat_map(|triangle| triangle.vertices);
             corners.map(|vertex| panel.positions[vertex])
         });
-        for point in points.chain(self.around.iter().copied()) {
-            let seen = self.view.turn(point);
-            if seen.is_finite() {
-                (low, high) = (low.min(seen), high.max(seen));
-            }
-        }
-        let size = (high - low).max(DVec3::splat(f64::MIN_POSITIVE));
-        let (width, height) = (f64::from(width), f64::from(height));
-        let pixels = 0.95 * (width / size.x).min(height / size.y);
-        Framing {
-            centre: 0.5 * (low + high),
-            pixels,
-            middle: DVec3::new(0.5 * width, 0.5 * height, 0.0),
-        }
+        Framing::new(
+            points.chain(self.around.iter().copied()),
+            self.view,
+            [width, height],
+        )
     }
 
     fn draw_panel(
@@ -428,21 +418,12 @@ impl Picture {
     }
 }
 
-/// How the coordinates of the eye become pixels of a panel.
-struct Framing {
-    centre: DVec3,
-    pixels: f64,
-    middle: DVec3,
-}
-
-impl Framing {
-    fn pixel(&self, seen: DVec3) -> DVec3 {
-        (seen - self.centre) * self.pixels * DVec3::new(1.0, -1.0, 1.0) + self.middle
-    }
-}
-
 /// Fills a rectangle, given as left, top, width and height, with colours from its top to its bottom.
-fn fill(pixmap: &mut Pixmap, (left, top, width, height): (f32, f32, f32, f32), colours: &[Color]) {
+pub(super) fn fill(
+    pixmap: &mut Pixmap,
+    (left, top, width, height): (f32, f32, f32, f32),
+    colours: &[Color],
+) {
     let last = (colours.len() - 1).max(1) as f32;
     let stops = colours
         .iter()
@@ -468,7 +449,7 @@ fn fill(pixmap: &mut Pixmap, (left, top, width, height): (f32, f32, f32, f32), c
     pixmap.fill_rect(rectangle, &paint, Transform::identity(), None);
 }
 
-fn rgb([red, green, blue]: [u8; 3]) -> Color {
+pub(super) fn rgb([red, green, blue]: [u8; 3]) -> Color {
     Color::from_rgba8(red, green, blue, 255)
 }
 

@@ -41,6 +41,38 @@ impl View {
     }
 }
 
+/// How the coordinates of the eye become pixels of a panel.
+pub struct Framing {
+    centre: DVec3,
+    pixels: f64,
+    middle: DVec3,
+}
+
+impl Framing {
+    /// The largest framing that shows all points in a panel of so many pixels across and down.
+    pub fn new(points: impl Iterator<Item = DVec3>, view: View, size: [u32; 2]) -> Framing {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for point in points {
+            let seen = view.turn(point);
+            if seen.is_finite() {
+                (low, high) = (low.min(seen), high.max(seen));
+            }
+        }
+        let extent = (high - low).max(DVec3::splat(f64::MIN_POSITIVE));
+        let [width, height] = size.map(f64::from);
+        Framing {
+            centre: 0.5 * (low + high),
+            pixels: 0.95 * (width / extent.x).min(height / extent.y),
+            middle: DVec3::new(0.5 * width, 0.5 * height, 0.0),
+        }
+    }
+
+    /// The pixel of a point in the coordinates of the eye.
+    pub fn pixel(&self, seen: DVec3) -> DVec3 {
+        (seen - self.centre) * self.pixels * DVec3::new(1.0, -1.0, 1.0) + self.middle
+    }
+}
+
 /// One covered sample of a triangle, as a shader sees it.
 pub struct Fragment {
     /// How much each corner of the triangle counts here; the sum is 1.

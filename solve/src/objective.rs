@@ -13,7 +13,7 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 /// ```text
 /// impl Objective for Parameterization<'_> {
 ///     fn set(&mut self, x: &[f64]) -> Result<(), Failure> {
-///         Ok(self.set_x(inverse_vec(x)?)?)
+///         Ok(self.set_x(inverse_vec::<DVec2>(x)?)?)
 ///     }
 ///     fn energy(&mut self) -> Result<f64, Failure> {
 ///         Ok(self.try_e()?)
