@@ -1,13 +1,12 @@
 //! Derivatives of vectors: Jacobians, and the second derivatives of numbers.
 
-use std::collections::HashMap;
-
 use super::algebra::SMALL;
+use super::loops::spread;
 use super::normal::Normal;
 use super::reverse::{Reverse, Target};
+use super::stencil::{self, Stencil};
 use super::{Trouble, count, gradient, size, tabulated};
-use crate::ir::{Binary, Block, ExprId, Fold, Kind, Layout, Range, VariableId};
-use crate::optimize::rewrite;
+use crate::ir::{Binary, Block, ExprId, Fold, Kind, Layout, Range};
 use crate::types::{Dimension, Shape, Type};
 
 /// The derivative of a vector in normal form by `x`: a vector where `x` is a number, else a matrix.
@@ -64,9 +63,30 @@ pub(super) fn second(
     b: ExprId,
 ) -> Result<ExprId, Trouble> {
     let sparse = is_sum(normal, y, &[a, b]);
-    let slope = gradient(normal, y, a)?;
-    let slope = normal.expr(slope)?;
-    jacobian(normal, slope, b, sparse)
+    let by_rows = |normal: &mut Normal<'_>, term| {
+        let slope = gradient(normal, term, a)?;
+        let slope = normal.expr(slope)?;
+        jacobian(normal, slope, b, sparse)
+    };
+    if a == b && sparse && stencil::has_items(&normal.algebra(), a) {
+        let size = size(normal, a);
+        let width = count(&normal.algebra().ty(a)).unwrap_or_else(|| Dimension::known(0));
+        let is_fixed = width.value().is_some();
+        let mut ty = Type::real_matrix(width.clone(), width);
+        if let Type::Matrix { sparse: stored, .. } = &mut ty {
+            *stored = !is_fixed;
+        }
+        let mut stencil = Stencil {
+            normal,
+            x: a,
+            second: true,
+            sizes: vec![size; 2],
+            ty,
+            otherwise: by_rows,
+        };
+        return stencil.of(y);
+    }
+    by_rows(normal, y)
 }
 
 /// The number of entries of a vector.
@@ -206,7 +226,7 @@ impl Rows<'_, '_> {
                 ..
             } => {
                 let body = self.of(body)?;
-                Ok(self.sum(variable, range, condition, body))
+                Ok(self.normal.summed(variable, range, condition, body))
             }
             _ => self.dense(y),
         }
@@ -220,37 +240,6 @@ impl Rows<'_, '_> {
         self.normal.program.arena.add(kind, self.ty.clone())
     }
 
-    /// A sum over a loop, with a variable of its own.
-    fn sum(
-        &mut self,
-        variable: VariableId,
-        range: Range,
-        condition: Option<ExprId>,
-        body: ExprId,
-    ) -> ExprId {
-        if self.normal.algebra().is_zero(body) {
-            return body;
-        }
-        let arena = &mut self.normal.program.arena;
-        let (name, ty) = (
-            arena.variable_name(variable).to_owned(),
-            arena.variable_type(variable).clone(),
-        );
-        let fresh = arena.new_variable(&name, ty);
-        let all = HashMap::from([(variable, arena.variable(fresh))]);
-        let body = rewrite::substitute(arena, body, &all);
-        let condition = condition.map(|c| rewrite::substitute(arena, c, &all));
-        let ty = arena.ty(body).clone();
-        let kind = Kind::Fold {
-            op: Fold::Sum,
-            variable: fresh,
-            range,
-            condition,
-            body,
-        };
-        arena.add(kind, ty)
-    }
-
     /// The derivatives of a number, in the row of this number.
     fn row(&mut self, y: ExprId, row: ExprId) -> Result<ExprId, Trouble> {
         let target = Target::Row(row, self.sizes, self.ty.clone());
@@ -259,16 +248,18 @@ impl Rows<'_, '_> {
 
     /// The rows of a block.
     fn block(&mut self, block: &Block) -> Result<ExprId, Trouble> {
-        let [place] = block.rows.as_slice() else {
+        if !block.columns.is_empty() {
             return Err(Trouble::new(
                 None,
                 "third derivatives are known of numbers only".to_owned(),
                 "differentiate a number by numbers",
             ));
-        };
+        }
         let value = block.value;
         let mut s = self.normal.algebra();
-        let fixed = s.fixed(value).filter(|(n, m)| n * m <= SMALL);
+        let fixed = s
+            .fixed(value)
+            .filter(|(n, m)| n * m <= SMALL || block.rows.len() > 1);
         let (n, m) = (s.size(value, 0), s.size(value, 1));
         let all = s.count(Binary::Multiply, n, m);
         if let Some((n, m)) = fixed {
@@ -280,7 +271,7 @@ impl Rows<'_, '_> {
                     s.arena.integer((k - 1) / n + 1),
                 );
                 let k = s.arena.integer(k);
-                let row = s.inside(*place, all, k);
+                let row = spread(&mut s, &block.rows, all, k);
                 let entry = self.entry(value, i, j)?;
                 let rows = self.row(entry, row)?;
                 sum = self.normal.algebra().add(sum, rows);
@@ -291,20 +282,20 @@ impl Rows<'_, '_> {
         let (j, across) = self.normal.index("j");
         let mut s = self.normal.algebra();
         let k = s.inside(across, n, up);
-        let row = s.inside(*place, all, k);
+        let row = spread(&mut s, &block.rows, all, k);
         let one = s.arena.integer(1);
         let matrix = matches!(s.ty(value).shape(), Some(Shape::Matrix(..)));
         let (entry, row) = match matrix {
             true => (self.entry(value, up, across)?, row),
             false => {
-                let row = s.inside(*place, all, up);
+                let row = spread(&mut s, &block.rows, all, up);
                 (self.entry(value, up, one)?, row)
             }
         };
         let mut sum = self.row(entry, row)?;
-        sum = self.sum(i, Range::Integers(one, n), None, sum);
+        sum = self.normal.summed(i, Range::Integers(one, n), None, sum);
         if matrix {
-            sum = self.sum(j, Range::Integers(one, m), None, sum);
+            sum = self.normal.summed(j, Range::Integers(one, m), None, sum);
         }
         Ok(sum)
     }

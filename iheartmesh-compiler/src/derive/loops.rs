@@ -1,6 +1,7 @@
 //! Rules for loops and blocks.
 
 use super::algebra::SMALL;
+use super::normal::is_vector;
 use super::reverse::Reverse;
 use crate::ir::{Binary, Block, ExprId, Fold, Kind, Layout, Range};
 use crate::optimize::rewrite;
@@ -20,14 +21,10 @@ impl Reverse<'_, '_> {
         else {
             return;
         };
+        let mut other = variable;
+        let all = self.normal.fresh(&mut [&mut other]);
         let arena = &mut self.normal.program.arena;
-        let (name, ty) = (
-            arena.variable_name(variable).to_owned(),
-            arena.variable_type(variable).clone(),
-        );
-        let other = arena.new_variable(&name, ty);
         let (this, that) = (arena.variable(variable), arena.variable(other));
-        let all = std::collections::HashMap::from([(variable, that)]);
         let factor = rewrite::substitute(arena, body, &all);
         let taken = condition.map(|c| rewrite::substitute(arena, c, &all));
         let differs = arena.add(
@@ -68,12 +65,9 @@ impl Reverse<'_, '_> {
         let arena = &mut self.normal.program.arena;
         let is_best = arena.add(Kind::Compare(CompareOp::Equal, body, e), Type::Boolean);
         // how many terms are best
-        let (name, ty) = (
-            arena.variable_name(variable).to_owned(),
-            arena.variable_type(variable).clone(),
-        );
-        let other = arena.new_variable(&name, ty);
-        let all = std::collections::HashMap::from([(variable, arena.variable(other))]);
+        let mut other = variable;
+        let all = self.normal.fresh(&mut [&mut other]);
+        let arena = &mut self.normal.program.arena;
         let also = rewrite::substitute(arena, is_best, &all);
         let taken = condition.map(|c| rewrite::substitute(arena, c, &all));
         let also = match taken {
@@ -104,6 +98,7 @@ impl Reverse<'_, '_> {
         let flat = block.columns.is_empty();
         let (n, m) = (self.algebra().size(value, 0), self.algebra().size(value, 1));
         let one = self.algebra().arena.integer(1);
+        let several = block.rows.len() > 1 || block.columns.len() > 1;
         // of the entry in a row and column of the value: the place in the whole
         let entry = |this: &mut Self, i: ExprId, j: ExprId| {
             let mut s = this.algebra();
@@ -117,6 +112,23 @@ impl Reverse<'_, '_> {
             let column = spread(&mut s, &block.columns, m, j);
             s.at(d, row, column)
         };
+        if let (true, Some((rows, columns))) = (several, self.algebra().fixed(value)) {
+            let mut lines = Vec::new();
+            for i in 1..=rows {
+                let mut line = Vec::new();
+                for j in 1..=columns {
+                    let arena = &mut self.normal.program.arena;
+                    let (i, j) = (arena.integer(i), arena.integer(j));
+                    line.push(entry(self, i, j));
+                }
+                lines.push(line);
+            }
+            let kind = match is_vector(&ty) {
+                true => Kind::Vector(lines.into_iter().flatten().collect()),
+                false => Kind::Blocks(lines),
+            };
+            return self.algebra().arena.add(kind, ty);
+        }
         self.build(&ty, (n, m), one, entry)
     }
 
@@ -264,7 +276,12 @@ impl Reverse<'_, '_> {
 }
 
 /// Where the `k`-th of `n` rows goes, that are divided evenly among places.
-fn spread(s: &mut super::algebra::Algebra<'_>, places: &[ExprId], n: ExprId, k: ExprId) -> ExprId {
+pub(super) fn spread(
+    s: &mut super::algebra::Algebra<'_>,
+    places: &[ExprId],
+    n: ExprId,
+    k: ExprId,
+) -> ExprId {
     if let [place] = places {
         return s.inside(*place, n, k);
     }

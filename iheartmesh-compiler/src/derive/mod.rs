@@ -18,6 +18,7 @@ mod normal;
 mod reductions;
 mod reverse;
 mod rules;
+mod stencil;
 
 use crate::ir::{Binary, ExprId, Kind, Layout, Program};
 use crate::span::Span;
@@ -25,6 +26,7 @@ use crate::types::{Dimension, Shape, Type};
 
 use normal::Normal;
 use reverse::{Reverse, Target};
+use stencil::Stencil;
 
 /// Why something cannot be differentiated.
 #[derive(Clone, Debug)]
@@ -73,6 +75,19 @@ pub fn first(program: &mut Program, y: ExprId, x: ExprId) -> Result<ExprId, Trou
     let mut normal = Normal::new(program, &[x]);
     let y = normal.expr(y)?;
     match normal.algebra().ty(y).is_scalar() {
+        true if stencil::has_items(&normal.algebra(), x) => {
+            let size = size(&mut normal, x);
+            let length = count(&normal.algebra().ty(x)).unwrap_or_else(|| Dimension::known(0));
+            let mut stencil = Stencil {
+                normal: &mut normal,
+                x,
+                second: false,
+                sizes: vec![size],
+                ty: Type::real_vector(length),
+                otherwise: |normal: &mut Normal<'_>, term| gradient(normal, term, x),
+            };
+            stencil.of(y)
+        }
         true => gradient(&mut normal, y, x),
         false => hessian::jacobian(&mut normal, y, x, false),
     }

@@ -205,7 +205,10 @@ impl<'a> Normal<'a> {
     }
 
     /// New variables in place of bound ones, with the substitution.
-    fn fresh(&mut self, variables: &mut [&mut VariableId]) -> HashMap<VariableId, ExprId> {
+    pub(super) fn fresh(
+        &mut self,
+        variables: &mut [&mut VariableId],
+    ) -> HashMap<VariableId, ExprId> {
         let arena = &mut self.program.arena;
         let mut all = HashMap::new();
         for variable in variables {
@@ -216,6 +219,32 @@ impl<'a> Normal<'a> {
             **variable = fresh;
         }
         all
+    }
+
+    /// The sum of a value over a loop, with a variable of its own.
+    pub(super) fn summed(
+        &mut self,
+        mut variable: VariableId,
+        range: Range,
+        condition: Option<ExprId>,
+        value: ExprId,
+    ) -> ExprId {
+        if self.algebra().is_zero(value) {
+            return value;
+        }
+        let all = self.fresh(&mut [&mut variable]);
+        let arena = &mut self.program.arena;
+        let body = rewrite::substitute(arena, value, &all);
+        let condition = condition.map(|c| rewrite::substitute(arena, c, &all));
+        let ty = arena.ty(value).clone();
+        let kind = Kind::Fold {
+            op: Fold::Sum,
+            variable,
+            range,
+            condition,
+            body,
+        };
+        arena.add(kind, ty)
     }
 
     /// A new integer variable.

@@ -9,8 +9,8 @@ use std::collections::{BTreeMap, HashMap};
 use super::Trouble;
 use super::algebra::Algebra;
 use super::normal::Normal;
-use crate::ir::{Block, ExprId, Fold, Kind, Range, Unary, VariableId};
-use crate::optimize::{MayFail, rewrite};
+use crate::ir::{Block, ExprId, Kind, Range, Unary, VariableId};
+use crate::optimize::MayFail;
 use crate::types::{Shape, Type};
 
 /// What a region is.
@@ -248,7 +248,7 @@ impl<'n, 'a> Reverse<'n, 'a> {
             let wrapped = match part {
                 Part::Whole => return value,
                 Part::Loop(variable, range, condition) => {
-                    self.summed(variable, range, condition, value)
+                    self.normal.summed(variable, range, condition, value)
                 }
                 Part::Then(condition, other) | Part::Else(condition, other) => {
                     let other = sums.remove(&(depth, other));
@@ -263,39 +263,6 @@ impl<'n, 'a> Reverse<'n, 'a> {
             put(self, &mut sums, parent, wrapped);
         }
         zero(&mut self.algebra())
-    }
-
-    /// The sum of a value over a loop.
-    fn summed(
-        &mut self,
-        variable: VariableId,
-        range: Range,
-        condition: Option<ExprId>,
-        value: ExprId,
-    ) -> ExprId {
-        if self.algebra().is_zero(value) {
-            return value;
-        }
-        let arena = &mut self.normal.program.arena;
-        let (name, ty) = (
-            arena.variable_name(variable).to_owned(),
-            arena.variable_type(variable).clone(),
-        );
-        let fresh = arena.new_variable(&name, ty);
-        let all = HashMap::from([(variable, arena.variable(fresh))]);
-        let body = rewrite::substitute(arena, value, &all);
-        let condition = condition.map(|c| rewrite::substitute(arena, c, &all));
-        let ty = arena.ty(value).clone();
-        arena.add(
-            Kind::Fold {
-                op: Fold::Sum,
-                variable: fresh,
-                range,
-                condition,
-                body,
-            },
-            ty,
-        )
     }
 
     fn propagate(&mut self, e: ExprId, region: usize, adjoint: ExprId) -> Result<(), Trouble> {

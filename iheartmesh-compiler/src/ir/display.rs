@@ -1,24 +1,66 @@
 //! How expressions are shown: `hlangc --emit ir` and `--emit plan`.
 
+use std::collections::BTreeMap;
+
 use super::{
     Arena, Binary, Boundary, ExprId, Fold, Kind, Program, Range, Restriction, SetOp, Unary,
 };
 use crate::syntax::ast::CompareOp;
 
-/// An expression in one line.
+/// An expression with more parts than this is shown with names for what stands in it several times.
+const LONG: usize = 400;
+
+/// An expression in one line; a long one with a line for each part that stands in it several times.
 pub fn expression(program: &Program, e: ExprId) -> String {
     let mut text = String::new();
-    Writer {
+    let names = repeated(&program.arena, e);
+    let mut writer = Writer {
         program,
         text: &mut text,
+        names: &names,
+    };
+    writer.expr(e);
+    for (part, name) in &names {
+        writer.put(&format!("\n        with t{name} = "));
+        writer.whole(*part);
     }
-    .expr(e);
     text
+}
+
+/// The parts of a long expression that stand in it several times, with their numbers.
+fn repeated(arena: &Arena, e: ExprId) -> BTreeMap<ExprId, usize> {
+    // the number of parts of each, with repetitions, and how often it stands in another
+    let mut sizes: BTreeMap<ExprId, usize> = BTreeMap::new();
+    let mut uses: BTreeMap<ExprId, usize> = BTreeMap::new();
+    let mut open = vec![(e, false)];
+    while let Some((e, is_done)) = open.pop() {
+        if is_done {
+            let mut size: usize = 1;
+            arena.kind(e).operands(|operand| {
+                size = size.saturating_add(sizes.get(&operand).copied().unwrap_or(1));
+                *uses.entry(operand).or_insert(0) += 1;
+            });
+            sizes.insert(e, size);
+        } else if !sizes.contains_key(&e) {
+            sizes.insert(e, 1);
+            open.push((e, true));
+            arena
+                .kind(e)
+                .operands(|operand| open.push((operand, false)));
+        }
+    }
+    if sizes.get(&e).is_none_or(|size| *size <= LONG) {
+        return BTreeMap::new();
+    }
+    let parts = uses.into_iter().filter(|(e, n)| *n > 1 && sizes[e] > 2);
+    let parts = parts.enumerate();
+    parts.map(|(k, (e, _))| (e, k + 1)).collect()
 }
 
 struct Writer<'a> {
     program: &'a Program,
     text: &'a mut String,
+    names: &'a BTreeMap<ExprId, usize>,
 }
 
 impl Writer<'_> {
@@ -55,6 +97,14 @@ impl Writer<'_> {
     }
 
     fn expr(&mut self, e: ExprId) {
+        match self.names.get(&e) {
+            Some(name) => self.put(&format!("t{name}")),
+            None => self.whole(e),
+        }
+    }
+
+    /// An expression by its parts.
+    fn whole(&mut self, e: ExprId) {
         let kind = self.arena().kind(e).clone();
         match &kind {
             Kind::Integer(v) => self.put(&v.to_string()),

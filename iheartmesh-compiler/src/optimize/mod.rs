@@ -14,7 +14,7 @@ pub use locals::is_read_from_row;
 mod nonzeros;
 mod orbits;
 mod plan;
-pub use plan::{MayFail, may_overflow};
+pub use plan::{MayFail, is_within, may_overflow};
 pub mod rewrite;
 mod share;
 pub mod show;

@@ -314,7 +314,8 @@ impl MayFail {
         }
         match arena.kind(e) {
             Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
-            Kind::At(..) | Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
+            Kind::At(..) => !is_within(arena, e),
+            Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
             Kind::Optimum { .. } | Kind::Integral { .. } => true,
             Kind::Scatter { .. } | Kind::Update(..) => true,
             Kind::Assemble { blocks, .. } => !blocks.is_empty(),
@@ -372,4 +373,24 @@ pub fn may_overflow(arena: &Arena, e: ExprId) -> bool {
                 | Kind::Unary(Unary::Negate | Unary::Absolute, _)
         )
         && bits(arena, e) > 63
+}
+
+/// Whether an entry of a matrix is known to exist: its numbers and the sizes are in the text.
+pub fn is_within(arena: &Arena, e: ExprId) -> bool {
+    let Kind::At(matrix, i, j) = arena.kind(e) else {
+        return false;
+    };
+    let within = |k: ExprId, size: &crate::types::Dimension| match (arena.kind(k), size.value()) {
+        (Kind::Integer(k), Some(n)) => (1..=n).contains(k),
+        _ => false,
+    };
+    match arena.ty(*matrix) {
+        Type::Matrix {
+            rows,
+            columns,
+            sparse: false,
+            ..
+        } => within(*i, rows) && within(*j, columns),
+        _ => false,
+    }
 }

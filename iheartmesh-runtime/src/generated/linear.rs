@@ -12,6 +12,11 @@ pub trait Square: Array<Item = f64> {
     fn solution<R: Build<Item = f64>>(&self, b: &impl Array<Item = f64>) -> Option<R>;
     /// The determinant.
     fn determinant(&self) -> f64;
+    /// The inverse, if there is one.
+    fn inverse<R: Build<Item = f64>>(&self) -> Option<R> {
+        let identity: DMatrix<f64> = super::identity(self.rows());
+        self.solution(&identity)
+    }
 }
 
 impl<const N: usize> Square for SMatrix<f64, N, N>
@@ -74,6 +79,15 @@ macro_rules! small {
             fn determinant(&self) -> f64 {
                 <$matrix>::determinant(self)
             }
+
+            #[inline]
+            fn inverse<R: Build<Item = f64>>(&self) -> Option<R> {
+                if <$matrix>::determinant(self) == 0.0 {
+                    return None;
+                }
+                let inverse = <$matrix>::inverse(self);
+                Some(R::build($n, $n, |i, j| inverse.entry(i, j)))
+            }
         }
     };
 }
@@ -101,9 +115,9 @@ pub fn solve<R: Build<Item = f64>>(
 }
 
 /// The inverse; fails for a singular matrix.
+#[inline]
 pub fn inverse<R: Build<Item = f64>>(a: &impl Square, fault: Fault) -> Fallible<R> {
-    let identity: DMatrix<f64> = super::identity(a.rows());
-    a.solution(&identity).ok_or(fault)
+    a.inverse().ok_or(fault)
 }
 
 /// The determinant.

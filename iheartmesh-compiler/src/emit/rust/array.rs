@@ -89,6 +89,15 @@ impl Body<'_> {
                 }
             }
             Kind::Size(size) => self.context.size(size),
+            Kind::At(a, i, j) if crate::optimize::is_within(&self.context.program().arena, e) => {
+                let a = self.reference(*a);
+                let places = [i, j].map(|k| match self.kind(*k) {
+                    Kind::Integer(k) => Literal::i64_unsuffixed(*k - 1),
+                    _ => Literal::i64_unsuffixed(0),
+                });
+                let [i, j] = places;
+                quote!(rt::Array::entry(#a, #i, #j))
+            }
             Kind::At(a, i, j) => {
                 let site = self.context.site(e);
                 let (a, i, j) = (self.reference(*a), self.owned(*i), self.owned(*j));
@@ -190,6 +199,22 @@ impl Body<'_> {
             let ty = self.context.inner_type(self.ty(e));
             let columns = columns.iter().map(|c| self.value(*c)).collect::<Vec<_>>();
             return quote!(#ty::from_cols(#(#columns),*));
+        }
+        let is_number = |e: &ExprId| self.ty(*e).is_scalar();
+        if !self.ty(e).is_sparse() && rows.iter().flatten().all(is_number) {
+            let ty = self.context.inner_type(self.ty(e));
+            let [n, m] = [rows.len(), rows[0].len()].map(Literal::usize_unsuffixed);
+            let rows: Vec<TokenStream> = rows
+                .iter()
+                .map(|row| {
+                    let row = row.iter().map(|entry| self.owned(*entry));
+                    quote!([#(#row),*])
+                })
+                .collect();
+            return quote!({
+                let entries = [#(#rows),*];
+                <#ty as rt::Build>::build(#n, #m, |i, j| entries[i][j])
+            });
         }
         let (start, put, finish) = match self.ty(e).is_sparse() {
             true => (
