@@ -1,6 +1,7 @@
 //! How expressions are shown: `hlangc --emit ir` and `--emit plan`.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::{
     Arena, Binary, Boundary, ExprId, Fold, Kind, Program, Range, Restriction, SetOp, Unary,
@@ -41,8 +42,8 @@ fn repeated(arena: &Arena, e: ExprId) -> BTreeMap<ExprId, usize> {
                 *uses.entry(operand).or_insert(0) += 1;
             });
             sizes.insert(e, size);
-        } else if !sizes.contains_key(&e) {
-            sizes.insert(e, 1);
+        } else if let Entry::Vacant(entry) = sizes.entry(e) {
+            entry.insert(1);
             open.push((e, true));
             arena
                 .kind(e)
