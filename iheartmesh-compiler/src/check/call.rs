@@ -3,7 +3,7 @@
 use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
-use super::sizes::{Fit, Sizes, fit, fit_alone, fits, with_sizes};
+use super::sizes::{Fit, Sizes, fit, fit_alone, fits, has_sizes_like, with_sizes};
 use super::wording::arguments;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, FunctionId, Kind};
@@ -58,6 +58,10 @@ impl<'a> Checker<'a> {
                         return self.error();
                     };
                     let arguments: Vec<&'a Expr> = rest.iter().chain(arguments).collect();
+                    // without arguments it is the function itself
+                    if arguments.is_empty() && !parameters.is_empty() {
+                        return called;
+                    }
                     let types = (parameters.as_slice(), &**result);
                     return self.host_call(span, function, called, types, &arguments);
                 }
@@ -488,12 +492,4 @@ struct Call<'c, 'a> {
     name: &'a Name,
     arguments: &'c [&'a Expr],
     values: &'c [ExprId],
-}
-
-/// Whether the sizes of one type are known when the program is compiled where those of the other are.
-fn has_sizes_like(a: &Type, b: &Type) -> bool {
-    match (a, b) {
-        (Type::Tuple(a), Type::Tuple(b)) => a.iter().zip(b).all(|(a, b)| has_sizes_like(a, b)),
-        _ => a.is_fixed() == b.is_fixed(),
-    }
 }

@@ -157,6 +157,9 @@ impl<'a> Checker<'a> {
         if self.is_empty_set(e) && matches!(to, Type::Set(_)) {
             return self.add(Kind::Set(Vec::new()), to.clone());
         }
+        if *self.ty(e) == Type::set_of(Type::INTEGER) && *to == Type::set_of(Type::REAL) {
+            return self.set_of_reals(e);
+        }
         if let (Type::Tuple(own), Type::Tuple(items)) = (self.ty(e).clone(), to)
             && own != *items
             && own.len() == items.len()
@@ -345,6 +348,8 @@ impl<'a> Checker<'a> {
                 };
             } else if let Some(sequence) = self.common_sequence(&ty, other) {
                 ty = sequence;
+            } else if let Some(set) = common_set(&ty, other) {
+                ty = set;
             } else if *other != ty {
                 let (a, b) = self.described_both(&ty, other);
                 let message = format!("the branches differ: {a} and {b}");
@@ -377,5 +382,18 @@ impl<'a> Checker<'a> {
             };
         }
         value
+    }
+}
+
+/// The type of two sets of which one is empty, or one holds integers and the other real numbers.
+fn common_set(a: &Type, b: &Type) -> Option<Type> {
+    let (Type::Set(x), Type::Set(y)) = (a, b) else {
+        return None;
+    };
+    match (&**x, &**y) {
+        (Type::Error, _) => Some(b.clone()),
+        (_, Type::Error) => Some(a.clone()),
+        (Type::Scalar(_), Type::Scalar(_)) if x != y => Some(Type::set_of(Type::REAL)),
+        _ => None,
     }
 }

@@ -84,6 +84,23 @@ impl<'a> Checker<'a> {
         )
     }
 
+    /// A set of integers as one of real numbers.
+    pub(super) fn set_of_reals(&mut self, set: ExprId) -> ExprId {
+        let variable = self.program.arena.new_variable("member", Type::INTEGER);
+        let member = self.program.arena.variable(variable);
+        let body = self.real(member);
+        self.add(
+            Kind::Fold {
+                op: Fold::Collect,
+                variable,
+                range: Range::Set(set),
+                condition: None,
+                body,
+            },
+            Type::set_of(Type::REAL),
+        )
+    }
+
     /// Binds names to the members of a set: one name to the whole member, or several to the items of a tuple.
     pub(super) fn bind_members(
         &mut self,
@@ -173,21 +190,14 @@ impl<'a> Checker<'a> {
         a: ExprId,
         b: ExprId,
     ) -> ExprId {
-        let (mut ta, mut tb) = (self.ty(a).clone(), self.ty(b).clone());
+        // an empty literal takes the type of the other side, integers are real numbers
+        let (a, b) = self.common(a, b);
+        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let (verb, preposition, sign) = match op {
             SetOp::Union => ("unite", "and", "∪"),
             SetOp::Intersection => ("intersect", "and", "∩"),
             SetOp::Difference => ("subtract", "from", "-"),
         };
-        let (mut a, mut b) = (a, b);
-        // an empty literal takes the type of the other side
-        if self.is_empty_set(a) && matches!(tb, Type::Set(_)) {
-            ta = tb.clone();
-            a = self.add(Kind::Set(Vec::new()), ta.clone());
-        } else if self.is_empty_set(b) && matches!(ta, Type::Set(_)) {
-            tb = ta.clone();
-            b = self.add(Kind::Set(Vec::new()), tb.clone());
-        }
         match (&ta, &tb) {
             (Type::Set(x), Type::Set(y)) if x == y => self.add(Kind::SetOp(op, a, b), ta),
             (Type::Set(x), Type::Set(y)) => match (&**x, &**y) {

@@ -115,8 +115,34 @@ pub(super) fn fit(
             }
             Some(worst)
         }
+        (Type::Set(a), Type::Set(b)) if **a == Type::REAL && **b == Type::INTEGER => {
+            Some(Fit::Promoted)
+        }
         (Type::Set(a), Type::Set(b)) if a.shape().is_some() && a.is_integer() == b.is_integer() => {
             fit(a, b, is_template, sizes)
+        }
+        (
+            Type::Function {
+                parameters: a,
+                result: x,
+            },
+            Type::Function {
+                parameters: b,
+                result: y,
+            },
+        ) if a.len() == b.len() => {
+            let mut worst = Fit::Exact;
+            for (a, b) in a.iter().chain([&**x]).zip(b.iter().chain([&**y])) {
+                // what the host hands in takes and gives values of these types in Rust
+                if a.is_integer() != b.is_integer()
+                    || a.is_sparse() != b.is_sparse()
+                    || !has_sizes_like(a, b)
+                {
+                    return None;
+                }
+                worst = worst.max(fit(a, b, is_template, sizes)?);
+            }
+            Some(worst)
         }
         (Type::Set(_), Type::Set(item)) if **item == Type::Error => Some(Fit::Promoted),
         (Type::CellularSet(a), Type::CellularSet(b)) if a.is_none() || b.is_none() => {
@@ -286,5 +312,13 @@ fn all_sizes<'t>(ty: &'t Type, sizes: &mut Vec<&'t Dimension>) {
             all_sizes(result, sizes);
         }
         _ => {}
+    }
+}
+
+/// Whether the sizes of one type are known when the program is compiled where those of the other are.
+pub(super) fn has_sizes_like(a: &Type, b: &Type) -> bool {
+    match (a, b) {
+        (Type::Tuple(a), Type::Tuple(b)) => a.iter().zip(b).all(|(a, b)| has_sizes_like(a, b)),
+        _ => a.is_fixed() == b.is_fixed(),
     }
 }

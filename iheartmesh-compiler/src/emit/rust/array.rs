@@ -171,12 +171,13 @@ impl Body<'_> {
     }
 
     /// A function that the host handed in, to be called.
-    fn host_function(&mut self, e: ExprId) -> TokenStream {
+    pub(super) fn host_function(&mut self, e: ExprId) -> TokenStream {
         match self.kind(e) {
             Kind::Input(id) => {
                 let field = self.context.input_field(*id);
                 quote!(s.#field)
             }
+            Kind::Variable(variable) => self.variable_name(*variable),
             Kind::Item(functions, index) => {
                 let found = self.item_place(e, *functions, *index);
                 quote!(#found)

@@ -457,7 +457,7 @@ impl<'a> Body<'a> {
 /// Whether values of a type are copied rather than cloned.
 pub(super) fn is_copy(ty: &Type) -> bool {
     match ty {
-        Type::Scalar(_) | Type::Boolean | Type::Element(_) => true,
+        Type::Scalar(_) | Type::Boolean | Type::Element(_) | Type::Function { .. } => true,
         Type::Vector { .. } => ty.fixed_vector().is_some(),
         Type::Matrix {
             rows,

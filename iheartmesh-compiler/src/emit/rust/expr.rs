@@ -219,6 +219,13 @@ impl Body<'_> {
     fn argument(&mut self, e: ExprId) -> TokenStream {
         match self.ty(e) {
             ty if ty.element_of_set().is_some() => self.ids(e),
+            Type::Function { .. } => {
+                let function = self.host_function(e);
+                match self.kind(e) {
+                    Kind::Variable(_) => function,
+                    _ => quote!(&*#function),
+                }
+            }
             ty if is_copy(ty) => self.owned(e),
             _ => self.reference(e),
         }

@@ -117,24 +117,22 @@ pub(super) struct RustNames<'a> {
 impl<'a> RustNames<'a> {
     fn new(diagnostics: &'a mut Diagnostics) -> Self {
         Self {
-            known: BTreeMap::from([(
-                "new".to_owned(),
-                ("the constructor".to_owned(), Span::default()),
-            )]),
+            known: BTreeMap::from(
+                [
+                    ("new", "the constructor"),
+                    ("SOURCE", "the text of the program"),
+                ]
+                .map(|(name, what)| (name.to_owned(), (what.to_owned(), Span::default()))),
+            ),
             diagnostics,
         }
     }
 
-    /// Takes a name; a clash is reported.
-    pub(super) fn take(&mut self, rust: &str, written: &str, span: Span) -> bool {
+    /// Takes a name for something; a clash is reported.
+    pub(super) fn take(&mut self, rust: &str, what: &str, span: Span) -> bool {
         if let Some((other, place)) = self.known.get(rust) {
-            let mut diagnostic = Diagnostic::error(
-                span,
-                format!(
-                    "`{written}` and {} have the same name in Rust, `{rust}`",
-                    quoted(other)
-                ),
-            );
+            let message = format!("{what} and {other} have the same name in Rust, `{rust}`");
+            let mut diagnostic = Diagnostic::error(span, message);
             if *place != Span::default() {
                 diagnostic = diagnostic.label(*place, "the other one");
             }
@@ -143,25 +141,18 @@ impl<'a> RustNames<'a> {
             return false;
         }
         self.known
-            .insert(rust.to_owned(), (written.to_owned(), span));
+            .insert(rust.to_owned(), (what.to_owned(), span));
         true
     }
 
     /// Takes an additional name, if it is free.
-    pub(super) fn alias(&mut self, rust: &str, written: &str, span: Span) -> bool {
+    pub(super) fn alias(&mut self, rust: &str, what: &str, span: Span) -> bool {
         if self.known.contains_key(rust) {
             return false;
         }
         self.known
-            .insert(rust.to_owned(), (written.to_owned(), span));
+            .insert(rust.to_owned(), (what.to_owned(), span));
         true
-    }
-}
-
-fn quoted(name: &str) -> String {
-    match name.contains(' ') {
-        true => name.to_owned(),
-        false => format!("`{name}`"),
     }
 }
 
@@ -280,7 +271,8 @@ impl Context<'_> {
         match ty {
             Type::Function { .. } => quote!(::std::boxed::Box::new(#argument)),
             Type::Sequence { item, .. } if is_functions(ty) => {
-                let held = self.held_type(item);
+                let function = self.function_type(item, &quote!('_));
+                let held = quote!(::std::boxed::Box<#function>);
                 quote! {
                     #argument.into_iter()
                         .map(|function| -> #held { ::std::boxed::Box::new(function) })
@@ -304,12 +296,9 @@ impl Context<'_> {
                 let item = self.outer_type(item);
                 quote!(#krate::Values<'a, #item>)
             }
-            Type::Function { parameters, result } => {
-                let parameters = parameters.iter().map(|t| self.outer_type(t));
-                let result = self.outer_type(result);
-                quote!(::std::boxed::Box<
-                    dyn ::std::ops::Fn(#(#parameters),*) -> #result + ::std::marker::Send + ::std::marker::Sync + 'a
-                >)
+            Type::Function { .. } => {
+                let function = self.function_type(ty, &quote!('a));
+                quote!(::std::boxed::Box<#function>)
             }
             ty if is_converted(ty) => {
                 let value = self.outer_type(ty);

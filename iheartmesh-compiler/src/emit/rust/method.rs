@@ -58,9 +58,10 @@ impl Context<'_> {
             }
             forms
         };
+        let what = format!("`{name}`");
         for form in forms(&rust) {
             // one clash is one error
-            if !rust_names.take(&form, name, span) {
+            if !rust_names.take(&form, &what, span) {
                 break;
             }
         }
@@ -68,7 +69,7 @@ impl Context<'_> {
         if let Some(alias) = names::ascii_alias(&rust) {
             let free = forms(&alias)
                 .iter()
-                .all(|form| rust_names.alias(form, name, span));
+                .all(|form| rust_names.alias(form, &what, span));
             if free {
                 list.push(alias);
             }
@@ -146,6 +147,7 @@ impl Context<'_> {
             let name = names::argument(&p.name);
             match &p.ty {
                 ty if !super::item::is_converted(ty) => self.to_inner(quote!(#name), ty),
+                ty if super::item::is_functions(ty) => quote!(&#name),
                 ty if self.is_same_outside(ty) => quote!(#name.as_ref()),
                 ty => {
                     let inner = self.to_inner(quote!(#name.as_ref()), ty);
@@ -169,6 +171,10 @@ impl Context<'_> {
                 let krate = self.krate;
                 let outer = self.outer_type(&p.ty);
                 match &p.ty {
+                    ty if super::item::is_functions(ty) => {
+                        let held = self.held_value(ty, quote!(#name));
+                        quote!(let #name = #held;)
+                    }
                     Type::Sequence { item, .. } => {
                         let item = self.outer_type(item);
                         quote!(let #name: #krate::Values<'_, #item> = #name.into();)
@@ -227,8 +233,10 @@ impl Context<'_> {
             })
             .unzip();
         // a lifetime inside of `impl Into<…>` must have a name
-        let converted = |p: &Parameter| super::item::is_converted(&p.ty);
-        let lifetime = match function.parameters.iter().any(converted) {
+        let named = |p: &Parameter| {
+            super::item::is_converted(&p.ty) || matches!(p.ty, Type::Function { .. })
+        };
+        let lifetime = match function.parameters.iter().any(named) {
             true => quote!(<'b>),
             false => TokenStream::new(),
         };

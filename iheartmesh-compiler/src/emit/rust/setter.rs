@@ -15,9 +15,10 @@ impl Context<'_> {
         for (id, input) in self.values() {
             let base = names::rust_name(&input.name);
             let mut list = vec![base.clone()];
-            rust_names.take(&format!("set_{base}"), &input.name, input.span);
+            let what = format!("the setter of `{}`", input.name);
+            rust_names.take(&format!("set_{base}"), &what, input.span);
             if let Some(alias) = names::ascii_alias(&base)
-                && rust_names.alias(&format!("set_{alias}"), &input.name, input.span)
+                && rust_names.alias(&format!("set_{alias}"), &what, input.span)
             {
                 list.push(alias);
             }

@@ -52,9 +52,25 @@ impl Context<'_> {
                 let item = self.inner_type(item);
                 quote!(::std::vec::Vec<#item>)
             }
-            Type::Function { .. } | Type::Mesh(..) | Type::Error => {
+            Type::Function { .. } => {
+                let function = self.function_type(ty, &quote!('_));
+                quote!(&(#function))
+            }
+            Type::Mesh(..) | Type::Error => {
                 panic!("bug in iheartmesh: no value of type {ty}")
             }
+        }
+    }
+
+    /// The type of a function of the host, behind a pointer.
+    pub(super) fn function_type(&self, ty: &Type, lifetime: &TokenStream) -> TokenStream {
+        let Type::Function { parameters, result } = ty else {
+            panic!("bug in iheartmesh: {ty} is no function");
+        };
+        let parameters = parameters.iter().map(|t| self.outer_type(t));
+        let result = self.outer_type(result);
+        quote! {
+            dyn ::std::ops::Fn(#(#parameters),*) -> #result + ::std::marker::Send + ::std::marker::Sync + #lifetime
         }
     }
 
@@ -153,6 +169,10 @@ impl Context<'_> {
         match ty {
             _ if super::block::is_copy(ty) => self.inner_type(ty),
             ty if ty.element_of_set().is_some() => quote!(&[u32]),
+            Type::Sequence { item, .. } if super::item::is_functions(ty) => {
+                let function = self.function_type(item, &quote!('_));
+                quote!(&[::std::boxed::Box<#function>])
+            }
             Type::Sequence { item, .. } => {
                 let item = self.inner_type(item);
                 quote!(&[#item])
@@ -251,6 +271,7 @@ impl Context<'_> {
                 quote!((#(#converted,)*))
             }
             Type::CellularSet(_) => quote!(rt::ids_of_cellular_set(#value)),
+            Type::Function { .. } => quote!(&#value),
             Type::Sequence { item, .. } if !self.is_same_outside(item) => {
                 let converted = self.to_inner(quote!(item), item);
                 quote!(#value.iter().map(|item| #converted).collect::<::std::vec::Vec<_>>())
