@@ -1,4 +1,5 @@
-//! What has no value: integers that are too large, recursion without an end, sizes that disagree in one parameter.
+//! What has no value: integers that are too large, recursion without an end, sizes that disagree or are negative,
+//! decompositions of matrices with NaN.
 
 #[macro_use]
 #[path = "support/twice.rs"]
@@ -62,6 +63,36 @@ programs! {
         times(u, k) = ∑_(i = 1)^k u where u ∈ ℝ^p, k ∈ ℤ
         doubled(k) = times(b, k) + b where k ∈ ℤ
         several(k) = ∑_(i = 1)^k P where k ∈ ℤ
+    "#;
+
+    Decompositions, PlainDecompositions = r#"
+        rank, svd, null, orth, psd from linearalgebra
+        A ∈ ℝ^(m×n)
+        r = rank(A)
+        K = null(A)
+        B = orth(A)
+        U, s, V = svd(A)
+        P = A⁺
+        t = ‖A‖_*
+        p = psd(AᵀA)
+        root = (AᵀA)^(½)
+        largest = ‖A_1,*‖_∞
+        least = min(A)
+    "#;
+
+    Written, PlainWritten = r#"
+        k ∈ ℤ
+        I1 = I_k
+        ones = 1_k
+        zeros = 0_k,2
+    "#;
+
+    Returned, PlainReturned = r#"
+        f ∈ ℝ^n → ℝ^n
+        g ∈ ℝ^n → ℝ^(n×2)
+        x ∈ ℝ^n
+        y = f(x)
+        z = g(x) (1, 1)
     "#;
 }
 
@@ -196,5 +227,71 @@ fn a_size_that_stands_twice() {
     assert_eq!(module.y(), dvector![3.0, 7.0]);
     assert!(module.set_Q(dmatrix![1.0; 2.0]).is_err());
     assert_eq!(module.t(), dmatrix![10.0, 14.0; 14.0, 20.0]);
+}
+
+#[test]
+fn decompositions_of_what_is_no_number() {
+    for bad in [f64::NAN, f64::INFINITY] {
+        let module = Decompositions::new(dmatrix![1.0, 2.0, 3.0; 4.0, bad, 6.0]).unwrap();
+        for error in [
+            module.try_r().unwrap_err(),
+            module.try_K().unwrap_err(),
+            module.try_B().unwrap_err(),
+        ] {
+            assert!(error.to_string().contains("a matrix with NaN or ∞ has no rank: in"), "{error}");
+        }
+        assert!(module.t().is_nan());
+        for (matrix, shape) in [
+            (module.U(), (2, 2)),
+            (module.V(), (3, 3)),
+            (module.P(), (3, 2)),
+            (module.p(), (3, 3)),
+            (module.root(), (3, 3)),
+        ] {
+            assert_eq!(matrix.shape(), shape);
+            assert!(matrix.iter().all(|x| x.is_nan()));
+        }
+    }
+    let module = Decompositions::new(dmatrix![f64::NAN, 1.0]).unwrap();
+    assert!(module.largest().is_nan() && module.least().is_nan());
+    let module = Decompositions::new(dmatrix![1.0, f64::NAN, 2.0]).unwrap();
+    assert!(module.largest().is_nan() && module.least().is_nan());
+}
+
+#[test]
+fn decompositions_of_nothing() {
+    let module = Decompositions::new(DMatrix::zeros(2, 0)).unwrap();
+    assert_eq!((module.r(), module.t()), (0, 0.0));
+    assert_eq!((module.K().shape(), module.B().shape()), ((0, 0), (2, 0)));
+    assert_eq!((module.U().shape(), module.s().len(), module.V().shape()), ((2, 2), 0, (0, 0)));
+    assert_eq!((module.P().shape(), module.root().shape()), ((0, 2), (0, 0)));
+    assert_eq!(module.p().shape(), (0, 0));
+}
+
+#[test]
+fn sizes_that_are_written() {
+    assert_eq!(Written::new(0).unwrap().I1().shape(), (0, 0));
+    for k in [-1, i64::MIN, i64::MAX, 1 << 40] {
+        let module = Written::new(k).unwrap();
+        for error in [
+            module.try_I1().unwrap_err(),
+            module.try_ones().unwrap_err(),
+            module.try_zeros().unwrap_err(),
+        ] {
+            assert!(error.to_string().contains("a size is negative"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn sizes_that_a_closure_returns() {
+    let longer = |x: DVector<f64>| DVector::zeros(x.len() + 1);
+    let taller = |x: DVector<f64>| DMatrix::zeros(x.len(), 3);
+    let module = Returned::new(longer, taller, dvector![1.0, 2.0]).unwrap();
+    for error in [module.try_y().unwrap_err(), module.try_z().unwrap_err()] {
+        assert!(error.to_string().contains("two sizes differ in"), "{error}");
+    }
+    let module = Returned::new(|x| x, |x| DMatrix::zeros(x.len(), 2), dvector![1.0, 2.0]).unwrap();
+    assert_eq!((module.y(), module.z()), (dvector![1.0, 2.0], dvector![0.0, 0.0]));
 }
 }

@@ -25,8 +25,10 @@ for name, _, inputs, expected in cases:
         f"    let module = {camel(name)}::new({arguments}).unwrap();",
     ]
     for method, value in expected.items():
+        # the call of a function comes with its arguments
+        call = method if method.endswith(")") else f"{method}()"
         lines.append(
-            f'    check("{method}", &module.{method}(), &[{numbers(flat(value))}]);'
+            f'    check("{method}", &module.{call}, &[{numbers(flat(value))}]);'
         )
     lines += ["}", ""]
 lines += ["}", ""]

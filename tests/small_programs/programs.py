@@ -1842,3 +1842,70 @@ q ∈ ℝ²""",
     [fixed_vector(u3), fixed_vector(e1)],
     y=[1, 2, 3, 4, 3, 5],
 )
+
+case(
+    "functions_of_functions",
+    """twice(g, x) = g(g(x)) where g ∈ ℝ → ℝ, x ∈ ℝ
+y = twice(f, 3) + twice(p_1, 2) + ∑_i twice(p_i, 2)
+newton(g, d, x, n) = { x if n = 0
+                       newton(g, d, x - g(x)/d(x), n - 1) otherwise
+where g ∈ ℝ → ℝ, d ∈ ℝ → ℝ, x ∈ ℝ, n ∈ ℤ
+z = newton(f, p_2, 3, 6)
+weighted(g, u) = ∑_i g(u) u_i where g ∈ ℝ^n → ℝ, u ∈ ℝ^n
+w = weighted(h, v)
+all(g, x) = ∑_i g_i(x) where g_i ∈ ℝ → ℝ, x ∈ ℝ
+s = all(p, 2)
+f ∈ ℝ → ℝ
+p_i ∈ ℝ → ℝ
+h ∈ ℝ^m → ℝ
+v ∈ ℝ^m""",
+    [
+        rust("|x: f64| x * x - 2.0"),
+        rust("vec![|x: f64| x + 1.0, |x: f64| 2.0 * x]"),
+        rust("|x: DVector<f64>| x.sum()"),
+        vector(u3),
+    ],
+    y=47 + 4 + 4 + 8,
+    z=math.sqrt(2),
+    w=u3.sum() ** 2,
+    s=7,
+    **{
+        "twice(|x: f64| x + 1.0, 5.0)": 7,
+        "all([|x: f64| x + 1.0, |x: f64| x + 2.0], 5.0)": 13,
+    },
+)
+case(
+    "sets_of_integers_and_reals",
+    """U ∈ {ℤ}
+S = { k² for k ∈ U if k > 1 }
+T = { k | k ∈ U, k ≠ 3 }
+A = S ∪ T
+B = S ∩ T
+C = T - {0.5}
+q = { 1 if S = T
+      2 if T ≠ S
+f(s) = ∑_(k ∈ s) k/2 where s ∈ {ℝ}
+r = f(U) + f(A)
+D = { S if q > 1
+      T otherwise
+E = { {} if q > 1
+      T otherwise""",
+    [integer_set([1, 2, 3, 4])],
+    A=[1, 2, 4, 9, 16],
+    B=[4],
+    C=[1, 2, 4],
+    q=2,
+    r=5 + 16,
+    D=[4, 9, 16],
+    E=[],
+)
+Q3 = np.array([[2.0, 1, 0], [0.5, 3, 1], [0, -0.4, 1.5]])
+case(
+    "roots_of_matrices",
+    "B = A^(½)\nC = A^p\nD = A^(-0.5)\nE = B B\nwhere\nA ∈ ℝ^(3×3)\np ∈ ℝ",
+    [fixed_matrix(Q3), real(2.3)],
+    B=sl.fractional_matrix_power(Q3, 0.5).real,
+    C=sl.fractional_matrix_power(Q3, 2.3).real,
+    D=sl.fractional_matrix_power(Q3, -0.5).real,
+    E=Q3,
+)

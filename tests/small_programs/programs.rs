@@ -1376,6 +1376,44 @@ where
 p ∈ ℝ³
 q ∈ ℝ²"##;
 
+FunctionsOfFunctions, PlainFunctionsOfFunctions = r##"twice(g, x) = g(g(x)) where g ∈ ℝ → ℝ, x ∈ ℝ
+y = twice(f, 3) + twice(p_1, 2) + ∑_i twice(p_i, 2)
+newton(g, d, x, n) = { x if n = 0
+                       newton(g, d, x - g(x)/d(x), n - 1) otherwise
+where g ∈ ℝ → ℝ, d ∈ ℝ → ℝ, x ∈ ℝ, n ∈ ℤ
+z = newton(f, p_2, 3, 6)
+weighted(g, u) = ∑_i g(u) u_i where g ∈ ℝ^n → ℝ, u ∈ ℝ^n
+w = weighted(h, v)
+all(g, x) = ∑_i g_i(x) where g_i ∈ ℝ → ℝ, x ∈ ℝ
+s = all(p, 2)
+f ∈ ℝ → ℝ
+p_i ∈ ℝ → ℝ
+h ∈ ℝ^m → ℝ
+v ∈ ℝ^m"##;
+
+SetsOfIntegersAndReals, PlainSetsOfIntegersAndReals = r##"U ∈ {ℤ}
+S = { k² for k ∈ U if k > 1 }
+T = { k | k ∈ U, k ≠ 3 }
+A = S ∪ T
+B = S ∩ T
+C = T - {0.5}
+q = { 1 if S = T
+      2 if T ≠ S
+f(s) = ∑_(k ∈ s) k/2 where s ∈ {ℝ}
+r = f(U) + f(A)
+D = { S if q > 1
+      T otherwise
+E = { {} if q > 1
+      T otherwise"##;
+
+RootsOfMatrices, PlainRootsOfMatrices = r##"B = A^(½)
+C = A^p
+D = A^(-0.5)
+E = B B
+where
+A ∈ ℝ^(3×3)
+p ∈ ℝ"##;
+
 }
 
 for_both! {
@@ -3009,6 +3047,38 @@ fn optima_in_cases() {
 fn ranked_overloads() {
     let module = RankedOverloads::new(DVec3::new(-1.198, -0.522, -1.985), DVec2::new(0.541, -1.264)).unwrap();
     check("y", &module.y(), &[1.0, 2.0, 3.0, 4.0, 3.0, 5.0]);
+}
+
+#[test]
+fn functions_of_functions() {
+    let module = FunctionsOfFunctions::new(|x: f64| x * x - 2.0, vec![|x: f64| x + 1.0, |x: f64| 2.0 * x], |x: DVector<f64>| x.sum(), DVector::<f64>::from_column_slice(&[-1.198, -0.522, -1.985])).unwrap();
+    check("y", &module.y(), &[63.0]);
+    check("z", &module.z(), &[1.4142135623730951]);
+    check("w", &module.w(), &[13.727025000000001]);
+    check("s", &module.s(), &[7.0]);
+    check("twice(|x: f64| x + 1.0, 5.0)", &module.twice(|x: f64| x + 1.0, 5.0), &[7.0]);
+    check("all([|x: f64| x + 1.0, |x: f64| x + 2.0], 5.0)", &module.all([|x: f64| x + 1.0, |x: f64| x + 2.0], 5.0), &[13.0]);
+}
+
+#[test]
+fn sets_of_integers_and_reals() {
+    let module = SetsOfIntegersAndReals::new(Set::<i64>::from_iter([1_i64, 2_i64, 3_i64, 4_i64])).unwrap();
+    check("A", &module.A(), &[1.0, 2.0, 4.0, 9.0, 16.0]);
+    check("B", &module.B(), &[4.0]);
+    check("C", &module.C(), &[1.0, 2.0, 4.0]);
+    check("q", &module.q(), &[2.0]);
+    check("r", &module.r(), &[21.0]);
+    check("D", &module.D(), &[4.0, 9.0, 16.0]);
+    check("E", &module.E(), &[]);
+}
+
+#[test]
+fn roots_of_matrices() {
+    let module = RootsOfMatrices::new(DMat3::from_cols_array(&[2.0, 0.5, 0.0, 1.0, 3.0, -0.4, 0.0, 1.0, 1.5]), 2.3_f64).unwrap();
+    check("B", &module.B(), &[1.3963385133737798, 0.1590144736609014, 0.008154135125295416, 0.31802894732180226, 1.7306757309461756, -0.13536571405401646, -0.040770675626479645, 0.3384142851350424, 1.2434396410568507]);
+    check("C", &module.C(), &[5.887211828901227, 3.7977667269574966, -0.37616040442549, 7.595533453914998, 12.73042447396525, -2.6620529771405095, 1.8808020221274417, 6.6551324428512695, 1.8073247986246133]);
+    check("D", &module.D(), &[0.7305736066481175, -0.06480869992245541, -0.011846229895791168, -0.12961739984491147, 0.5772637470116252, 0.06369318983375574, 0.05923114947895435, -0.15923297458438837, 0.7864976341487302]);
+    check("E", &module.E(), &[2.0, 0.5, 0.0, 1.0, 3.0, -0.4, 0.0, 1.0, 1.5]);
 }
 
 }

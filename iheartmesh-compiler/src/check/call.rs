@@ -3,7 +3,7 @@
 use super::Checker;
 use super::function::Signature;
 use super::scope::Found;
-use super::sizes::{Fit, Sizes, fit, fit_alone, fits, has_sizes_like, with_sizes};
+use super::sizes::{Fit, Sizes, fit_alone, fits, has_sizes_like, with_sizes};
 use super::wording::arguments;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, FunctionId, Kind};
@@ -98,55 +98,6 @@ impl<'a> Checker<'a> {
             }
         }
         self.resolve_call(&call, candidates)
-    }
-
-    /// A call of a function that the host hands in.
-    fn host_call(
-        &mut self,
-        span: Span,
-        name: &'a Name,
-        called: ExprId,
-        (parameters, result): (&[Type], &Type),
-        arguments: &[&'a Expr],
-    ) -> ExprId {
-        let values: Vec<ExprId> = arguments.iter().map(|a| self.expr(a)).collect();
-        if values.iter().any(|v| self.is_error(*v)) {
-            return self.error();
-        }
-        let shown: Vec<String> = parameters.iter().map(Type::described).collect();
-        let help = format!("`{}` takes ({})", name.text, shown.join(", "));
-        if values.len() != parameters.len() {
-            let message = format!(
-                "`{}` takes {} but is given {}",
-                name.text,
-                count(parameters.len(), "argument"),
-                values.len()
-            );
-            return self.report(Diagnostic::error(span, message).help(help));
-        }
-        let mut sizes = Sizes::default();
-        for (k, (value, parameter)) in values.iter().zip(parameters).enumerate() {
-            let ty = self.ty(*value).clone();
-            if fit(parameter, &ty, &|_| false, &mut sizes).is_none() {
-                let given = ty.described();
-                let message = format!(
-                    "`{}` takes {} but is given {given}",
-                    name.text,
-                    parameter.described()
-                );
-                return self.report(
-                    Diagnostic::error(arguments[k].span, message)
-                        .here(format!("this is {given}"))
-                        .help(help),
-                );
-            }
-        }
-        let values = values
-            .iter()
-            .zip(parameters)
-            .map(|(v, ty)| self.convert(*v, ty))
-            .collect();
-        self.add(Kind::HostCall(called, values), result.clone())
     }
 
     /// Whether a symbol of a size is of the function being called, and takes the size of its argument.

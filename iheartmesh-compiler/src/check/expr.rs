@@ -68,7 +68,7 @@ impl<'a> Checker<'a> {
                 ones,
                 rows,
                 columns,
-            } => self.number_matrix(*ones, rows, columns.as_deref()),
+            } => self.number_matrix(e.span, *ones, rows, columns.as_deref()),
             ExprKind::Optimise { .. } => self.optimise(e),
             ExprKind::Integral { .. } => self.integral(e),
             ExprKind::Derivative { total: true, .. } => {

@@ -4,6 +4,7 @@ use super::Checker;
 use super::operator::extents;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
+use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::types::{Dimension, Type};
 
@@ -65,6 +66,7 @@ impl<'a> Checker<'a> {
     /// `0_n,m`, `1_n`.
     pub(super) fn number_matrix(
         &mut self,
+        span: Span,
         ones: bool,
         rows: &'a Expr,
         columns: Option<&'a Expr>,
@@ -74,23 +76,25 @@ impl<'a> Checker<'a> {
             return self.error();
         };
         let Some(columns) = columns else {
-            return self.add(Kind::Filled(value, vec![n]), Type::real_vector(rows));
+            return self.add_at(span, Kind::Filled(value, vec![n]), Type::real_vector(rows));
         };
         let Some((columns, m)) = self.written_size(columns) else {
             return self.error();
         };
-        self.add(
+        self.add_at(
+            span,
             Kind::Filled(value, vec![n, m]),
             Type::real_matrix(rows, columns),
         )
     }
 
     /// `I_n`.
-    pub(super) fn identity(&mut self, size: &'a Expr) -> ExprId {
+    pub(super) fn identity(&mut self, span: Span, size: &'a Expr) -> ExprId {
         let Some((dimension, n)) = self.written_size(size) else {
             return self.error();
         };
-        self.add(
+        self.add_at(
+            span,
             Kind::Identity(n),
             Type::real_matrix(dimension.clone(), dimension),
         )

@@ -19,6 +19,7 @@ mod expr;
 mod extent;
 mod fold;
 mod function;
+mod host;
 mod index;
 mod integral;
 mod linear;

@@ -22,7 +22,7 @@ impl<'a> Checker<'a> {
             && name.text == "I"
             && !self.is_bound("I")
         {
-            return self.identity(size);
+            return self.identity(e.span, size);
         }
         let value = self.expr(base);
         let ty = self.ty(value).clone();

@@ -121,10 +121,41 @@ pub(super) fn power(a: &DMatrix<f64>, p: f64) -> Option<DMatrix<f64>> {
         };
         return Some(base.pow(p.abs() as u32));
     }
+    if a.iter().any(|x| !x.is_finite()) {
+        return Some(DMatrix::from_element(a.nrows(), a.ncols(), f64::NAN));
+    }
     if (a - a.transpose()).amax() > 1e-12 * a.amax().max(f64::MIN_POSITIVE) {
-        return None;
+        return Some((logarithm(a)? * p).exp());
     }
     let eigen = a.clone().symmetric_eigen();
     let negative = eigen.eigenvalues.iter().any(|value| *value < 0.0);
     (!negative).then(|| with_eigenvalues(a, |value| value.powf(p)))
+}
+
+/// The principal logarithm: `log A = 2 log √A`, by a series near the identity.
+fn logarithm(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let n = a.nrows();
+    let is_cut = |value: &nalgebra::Complex<f64>| value.re <= 0.0 && value.im.abs() < 1e-9;
+    if a.complex_eigenvalues().iter().any(is_cut) {
+        return None;
+    }
+    let identity = DMatrix::identity(n, n);
+    let (mut root, mut scale) = (a.clone(), 1.0);
+    while (&root - &identity).norm() > 0.25 {
+        // the iteration of Denman and Beavers for the square root
+        let (mut y, mut z) = (root, identity.clone());
+        for _ in 0..50 {
+            let (u, v) = (inverse(z.clone())?, inverse(y.clone())?);
+            (y, z) = ((&y + u) * 0.5, (&z + v) * 0.5);
+        }
+        root = y;
+        scale *= 2.0;
+    }
+    let rest = root - &identity;
+    let (mut sum, mut power) = (DMatrix::zeros(n, n), identity);
+    for k in 1..60 {
+        power = -power * &rest;
+        sum -= &power / f64::from(k);
+    }
+    Some(sum * scale)
 }

@@ -27,7 +27,13 @@ impl Interpreter<'_> {
             Unary::SquareRoot => Value::Real(real(a).sqrt()),
             Unary::Norm => Value::Real(reals(a).iter().map(|x| x * x).sum::<f64>().sqrt()),
             Unary::NormOne => Value::Real(reals(a).iter().map(|x| x.abs()).sum()),
-            Unary::NormMax => Value::Real(reals(a).iter().fold(0.0, |most, x| x.abs().max(most))),
+            Unary::NormMax => {
+                let larger = |most: f64, x: &f64| match x.is_nan() || x.abs() > most {
+                    true => x.abs(),
+                    false => most,
+                };
+                Value::Real(reals(a).iter().fold(0.0, larger))
+            }
             Unary::NormZero => Value::Real(reals(a).iter().filter(|x| **x != 0.0).count() as f64),
             Unary::NormNuclear => Value::Real(factor::singular_values(&reals(a)).iter().sum()),
             Unary::Transpose => match a {
@@ -81,9 +87,13 @@ impl Interpreter<'_> {
                 }
                 a => {
                     let better = |x: f64, y: f64| if op == Unary::Least { x < y } else { x > y };
-                    let best = stack(a)
-                        .into_iter()
-                        .reduce(|best, x| if better(x, best) { x } else { best });
+                    let best = stack(a).into_iter().reduce(|best, x| {
+                        if x.is_nan() || better(x, best) {
+                            x
+                        } else {
+                            best
+                        }
+                    });
                     Value::Real(best.ok_or_else(fault)?)
                 }
             },

@@ -58,6 +58,12 @@ pub fn failure(program: &Program, e: ExprId) -> String {
             "two sizes differ that one index runs over,"
         }
         Kind::Agree(..) => "two sizes differ",
+        Kind::Unary(Unary::Rank | Unary::NullSpace | Unary::OrthogonalBasis, _) => {
+            "a matrix with NaN or ∞ has no rank:"
+        }
+        Kind::Filled(..) | Kind::Identity(_) => {
+            "a size is negative, or there would be too many entries,"
+        }
         Kind::Unary(Unary::Inverse, _) => "a singular matrix has no inverse:",
         Kind::Binary(Binary::Solve, ..) => "the matrix of the system is singular",
         Kind::Binary(Binary::MatrixPower, ..) => "this power of the matrix does not exist",

@@ -319,7 +319,17 @@ impl MayFail {
             Kind::Optimum { .. } | Kind::Integral { .. } => true,
             Kind::Scatter { .. } | Kind::Update(..) => true,
             Kind::Assemble { blocks, .. } => !blocks.is_empty(),
-            Kind::Unary(Unary::Inverse | Unary::Least | Unary::Greatest, _) => true,
+            Kind::Unary(
+                Unary::Inverse
+                | Unary::Least
+                | Unary::Greatest
+                | Unary::Rank
+                | Unary::NullSpace
+                | Unary::OrthogonalBasis,
+                _,
+            ) => true,
+            Kind::Filled(_, sizes) => sizes.iter().any(|n| !is_literal(arena, *n)),
+            Kind::Identity(n) => !is_literal(arena, *n),
             Kind::Binary(Binary::Solve | Binary::MatrixPower | Binary::Unstack, ..) => true,
             Kind::Fold { op, .. } => {
                 matches!(op, Fold::Min | Fold::Max | Fold::ArgMin | Fold::ArgMax)
@@ -393,4 +403,8 @@ pub fn is_within(arena: &Arena, e: ExprId) -> bool {
         } => within(*i, rows) && within(*j, columns),
         _ => false,
     }
+}
+
+fn is_literal(arena: &Arena, e: ExprId) -> bool {
+    matches!(arena.kind(e), Kind::Integer(_))
 }

@@ -92,7 +92,11 @@ pub fn norm_one(a: &impl Array<Item = f64>) -> f64 {
 
 /// The largest absolute value of the entries.
 pub fn norm_max(a: &impl Array<Item = f64>) -> f64 {
-    fold(a, 0.0, |most: f64, _, _, x| most.max(x.abs()))
+    fold(a, 0.0, |most: f64, _, _, x| match x.is_nan() {
+        true => x,
+        false if x.abs() > most => x.abs(),
+        false => most,
+    })
 }
 
 /// The number of entries other than 0.
@@ -306,6 +310,12 @@ pub fn greatest_item<T: Number>(items: &[T], fault: Fault) -> Fallible<T> {
     extreme_item(items, |x, best| x > best, fault)
 }
 
+/// Of NaN and another number there is no greatest one.
+#[inline(always)]
+fn is_nan<T: PartialOrd>(x: T) -> bool {
+    x.partial_cmp(&x).is_none()
+}
+
 fn extreme_item<T: Number>(
     items: &[T],
     better: impl Fn(T, T) -> bool,
@@ -314,7 +324,7 @@ fn extreme_item<T: Number>(
     let best = items
         .iter()
         .copied()
-        .reduce(|best, x| match better(x, best) {
+        .reduce(|best, x| match is_nan(x) || better(x, best) {
             true => x,
             false => best,
         });
@@ -330,7 +340,7 @@ fn extreme<A: Array>(
     for j in 0..a.columns() {
         for i in 0..a.rows() {
             let entry = a.entry(i, j);
-            if best.is_none_or(|best| better(entry, best)) {
+            if best.is_none_or(|best| is_nan(entry) || better(entry, best)) {
                 best = Some(entry);
             }
         }
@@ -342,6 +352,33 @@ fn extreme<A: Array>(
 #[inline(always)]
 pub fn size(n: i64) -> usize {
     usize::try_from(n).unwrap_or(0)
+}
+
+/// Sizes of a matrix; fails where one is negative, or where there would be too many entries.
+fn sizes(rows: i64, columns: i64, fault: Fault) -> Fallible<(usize, usize)> {
+    let size = |n: i64| u32::try_from(n).map_err(|_| fault);
+    let (rows, columns) = (size(rows)?, size(columns)?);
+    match rows.checked_mul(columns) {
+        Some(_) => Ok((rows as usize, columns as usize)),
+        None => Err(fault),
+    }
+}
+
+/// An array of one value; fails where a size is negative, or where there would be too many entries.
+#[inline]
+pub fn filled<R: Build>(rows: i64, columns: i64, value: R::Item, fault: Fault) -> Fallible<R>
+where
+    R::Item: Copy,
+{
+    let (rows, columns) = sizes(rows, columns, fault)?;
+    Ok(R::build(rows, columns, |_, _| value))
+}
+
+/// The identity; fails where the size is negative, or where there would be too many entries.
+#[inline]
+pub fn identity_of<R: Build<Item = f64>>(n: i64, fault: Fault) -> Fallible<R> {
+    let (n, _) = sizes(n, n, fault)?;
+    Ok(super::identity(n))
 }
 
 /// Two sizes that must agree.

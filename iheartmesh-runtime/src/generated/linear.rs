@@ -101,8 +101,18 @@ fn fixed<const N: usize>(a: &impl Array<Item = f64>) -> SMatrix<f64, N, N> {
     SMatrix::from_fn(|i, j| a.entry(i, j))
 }
 
-fn dynamic(a: &impl Array<Item = f64>) -> DMatrix<f64> {
+pub(super) fn dynamic(a: &impl Array<Item = f64>) -> DMatrix<f64> {
     DMatrix::from_fn(a.rows(), a.columns(), |i, j| a.entry(i, j))
+}
+
+/// Whether all entries are numbers. What is not has no factorisation: the algorithms of nalgebra need not end on it.
+pub(super) fn is_finite(a: &DMatrix<f64>) -> bool {
+    a.iter().all(|x| x.is_finite())
+}
+
+/// An array of NaN.
+pub(super) fn nans<R: Build<Item = f64>>(rows: usize, columns: usize) -> R {
+    R::build(rows, columns, |_, _| f64::NAN)
 }
 
 /// The solution of `a x = b`; fails for a singular matrix.
@@ -125,43 +135,6 @@ pub fn determinant(a: &impl Square) -> f64 {
     a.determinant()
 }
 
-/// A power: by repeated products for an integer, from the eigenvalues of a symmetric matrix otherwise; fails where it is
-/// not defined.
-pub fn power<R: Build<Item = f64>>(a: &impl Square, p: f64, fault: Fault) -> Fallible<R> {
-    let matrix = dynamic(a);
-    let n = matrix.nrows();
-    if p.fract() == 0.0 && p.abs() <= f64::from(u32::MAX) {
-        let base = match p < 0.0 {
-            true => inverse::<DMatrix<f64>>(a, fault)?,
-            false => matrix,
-        };
-        let mut exponent = p.abs() as u32;
-        let (mut square, mut result) = (base, DMatrix::identity(n, n));
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                result = &result * &square;
-            }
-            exponent >>= 1;
-            if exponent > 0 {
-                square = &square * &square;
-            }
-        }
-        return Ok(super::reshape(&result));
-    }
-    let scale = matrix.amax().max(f64::MIN_POSITIVE);
-    if (&matrix - matrix.transpose()).amax() > 1e-12 * scale {
-        return Err(fault);
-    }
-    let eigen = matrix.symmetric_eigen();
-    if eigen.eigenvalues.iter().any(|value| *value < 0.0) {
-        return Err(fault);
-    }
-    let powers = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.powf(p)));
-    Ok(super::reshape(
-        &(&eigen.eigenvectors * powers * eigen.eigenvectors.transpose()),
-    ))
-}
-
 /// Singular values below this part of the largest count as 0, times the larger size of the matrix.
 fn tolerance(values: &nalgebra::DVector<f64>, rows: usize, columns: usize) -> f64 {
     values.max() * f64::EPSILON * rows.max(columns) as f64
@@ -173,7 +146,11 @@ pub fn pseudo_inverse<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
     if rows == 0 || columns == 0 {
         return R::zeros(columns, rows);
     }
-    let svd = dynamic(a).svd(true, true);
+    let matrix = dynamic(a);
+    if !is_finite(&matrix) {
+        return nans(columns, rows);
+    }
+    let svd = matrix.svd(true, true);
     let least = tolerance(&svd.singular_values, rows, columns);
     let (Some(u), Some(vt)) = (&svd.u, &svd.v_t) else {
         return R::zeros(columns, rows);
@@ -188,21 +165,27 @@ pub fn pseudo_inverse<R: Build<Item = f64>>(a: &impl Array<Item = f64>) -> R {
     })
 }
 
-/// The number of singular values above the tolerance.
-pub fn rank(a: &impl Array<Item = f64>) -> i64 {
-    if a.rows() == 0 || a.columns() == 0 {
-        return 0;
+/// The number of singular values above the tolerance; fails for a matrix with NaN or ∞.
+pub fn rank(a: &impl Array<Item = f64>, fault: Fault) -> Fallible<i64> {
+    let matrix = dynamic(a);
+    if matrix.is_empty() {
+        return Ok(0);
     }
-    let values = dynamic(a).singular_values();
+    if !is_finite(&matrix) {
+        return Err(fault);
+    }
+    let values = matrix.singular_values();
     let least = tolerance(&values, a.rows(), a.columns());
-    values.iter().filter(|s| **s > least).count() as i64
+    Ok(values.iter().filter(|s| **s > least).count() as i64)
 }
 
 /// The sum of the singular values.
 pub fn norm_nuclear(a: &impl Array<Item = f64>) -> f64 {
-    match a.rows() == 0 || a.columns() == 0 {
+    let matrix = dynamic(a);
+    match matrix.is_empty() {
         true => 0.0,
-        false => dynamic(a).singular_values().sum(),
+        false if !is_finite(&matrix) => f64::NAN,
+        false => matrix.singular_values().sum(),
     }
 }
 
@@ -221,6 +204,20 @@ where
         for j in 0..columns {
             square[(i, j)] = a.entry(i, j);
         }
+    }
+    if !is_finite(&square) {
+        return (
+            nans(rows, rows),
+            nans(rows.min(columns), 1),
+            nans(columns, columns),
+        );
+    }
+    if rows == 0 || columns == 0 {
+        return (
+            super::identity(rows),
+            S::zeros(0, 1),
+            super::identity(columns),
+        );
     }
     let svd = square.svd(true, true);
     let least = rows.min(columns);
@@ -262,19 +259,19 @@ fn complete(basis: &DMatrix<f64>, n: usize, keep: usize) -> DMatrix<f64> {
     }
 }
 
-/// An orthonormal basis of the kernel, in columns.
-pub fn null_space(a: &impl Array<Item = f64>) -> DMatrix<f64> {
+/// An orthonormal basis of the kernel, in columns; fails for a matrix with NaN or ∞.
+pub fn null_space(a: &impl Array<Item = f64>, fault: Fault) -> Fallible<DMatrix<f64>> {
     let columns = a.columns();
-    let rank = rank(a) as usize;
+    let rank = rank(a, fault)? as usize;
     let (_, _, right): (DMatrix<f64>, nalgebra::DVector<f64>, DMatrix<f64>) = singular_values(a);
-    right.columns(rank, columns - rank).into_owned()
+    Ok(right.columns(rank, columns - rank).into_owned())
 }
 
-/// An orthonormal basis of the column space, in columns.
-pub fn orthogonal_basis(a: &impl Array<Item = f64>) -> DMatrix<f64> {
-    let rank = rank(a) as usize;
+/// An orthonormal basis of the column space, in columns; fails for a matrix with NaN or ∞.
+pub fn orthogonal_basis(a: &impl Array<Item = f64>, fault: Fault) -> Fallible<DMatrix<f64>> {
+    let rank = rank(a, fault)? as usize;
     let (left, _, _): (DMatrix<f64>, nalgebra::DVector<f64>, DMatrix<f64>) = singular_values(a);
-    left.columns(0, rank).into_owned()
+    Ok(left.columns(0, rank).into_owned())
 }
 
 /// A symmetric matrix with its eigenvalues replaced.
@@ -283,6 +280,12 @@ pub fn with_eigenvalues<R: Build<Item = f64>>(
     f: impl Fn(f64) -> f64,
 ) -> R {
     let matrix = dynamic(a);
+    if matrix.is_empty() {
+        return super::reshape(&matrix);
+    }
+    if !is_finite(&matrix) {
+        return nans(matrix.nrows(), matrix.ncols());
+    }
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
     let eigen = symmetric.symmetric_eigen();
     let values = DMatrix::from_diagonal(&eigen.eigenvalues.map(f));

@@ -123,17 +123,23 @@ impl Body<'_> {
                 let value = self.owned(*value);
                 let sizes: Vec<TokenStream> = sizes.iter().map(|s| self.owned(*s)).collect();
                 let columns = sizes.get(1).cloned().unwrap_or(quote!(1i64));
-                let rows = &sizes[0];
-                quote!(<#ty as rt::Build>::build(rt::size(#rows), rt::size(#columns), |_, _| #value))
+                let (rows, site) = (&sizes[0], self.context.site(e));
+                if !self.may_fail(e) {
+                    return quote!(<#ty as rt::Build>::build(rt::size(#rows), rt::size(#columns), |_, _| #value));
+                }
+                quote!(rt::filled::<#ty>(#rows, #columns, #value, #site)?)
             }
             Kind::Identity(n) if self.ty(e).is_sparse() => {
                 let n = self.owned(*n);
                 quote!(rt::sparse_identity(rt::size(#n)))
             }
             Kind::Identity(n) => {
-                let ty = inner();
+                let (ty, site) = (inner(), self.context.site(e));
                 let n = self.owned(*n);
-                quote!(rt::identity::<#ty>(rt::size(#n)))
+                if !self.may_fail(e) {
+                    return quote!(rt::identity::<#ty>(rt::size(#n)));
+                }
+                quote!(rt::identity_of::<#ty>(#n, #site)?)
             }
             Kind::Sequence(items) => {
                 let items: Vec<TokenStream> = items.iter().map(|i| self.owned(*i)).collect();
@@ -324,13 +330,13 @@ impl Body<'_> {
             Unary::PseudoInverse => quote!(rt::pseudo_inverse::<#ty>(#a)),
             Unary::Determinant => quote!(rt::determinant(#a)),
             Unary::Trace => quote!(rt::trace(#a)),
-            Unary::Rank => quote!(rt::rank(#a)),
+            Unary::Rank => quote!(rt::rank(#a, #site)?),
             Unary::Diagonal if vector => quote!(rt::diagonal::<#ty>(#a)),
             Unary::Diagonal => quote!(rt::diagonal_of::<#ty>(#a)),
             Unary::Stack if sequence => quote!(rt::stack_items::<#ty, _>(&(#a)[..])),
             Unary::Stack => quote!(rt::stack::<#ty>(#a)),
-            Unary::NullSpace => quote!(rt::null_space(#a)),
-            Unary::OrthogonalBasis => quote!(rt::orthogonal_basis(#a)),
+            Unary::NullSpace => quote!(rt::null_space(#a, #site)?),
+            Unary::OrthogonalBasis => quote!(rt::orthogonal_basis(#a, #site)?),
             Unary::SingularValues => {
                 let Type::Tuple(items) = self.ty(e) else {
                     panic!("bug in iheartmesh: singular values are a tuple");

@@ -140,8 +140,7 @@ impl<'a> RustNames<'a> {
                 .push(diagnostic.help("rename one of the two"));
             return false;
         }
-        self.known
-            .insert(rust.to_owned(), (what.to_owned(), span));
+        self.known.insert(rust.to_owned(), (what.to_owned(), span));
         true
     }
 
@@ -150,8 +149,7 @@ impl<'a> RustNames<'a> {
         if self.known.contains_key(rust) {
             return false;
         }
-        self.known
-            .insert(rust.to_owned(), (what.to_owned(), span));
+        self.known.insert(rust.to_owned(), (what.to_owned(), span));
         true
     }
 }

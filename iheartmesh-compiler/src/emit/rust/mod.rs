@@ -157,7 +157,7 @@ impl Context<'_> {
                 };
                 format!("{what} in `{written}` ({}:{line}:{column})", source.file)
             }
-            None => what,
+            None => what.trim_end_matches([',', ':']).to_owned(),
         };
         quote!(rt::Fault::new(#text))
     }
