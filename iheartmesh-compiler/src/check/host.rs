@@ -63,22 +63,20 @@ impl<'a> Checker<'a> {
     fn host_value(&mut self, span: Span, call: Kind, declared: &Type) -> ExprId {
         let mut found = declared.clone();
         let sizes: Vec<Dimension> = match &mut found {
+            // the type in Rust has these sizes
+            _ if declared.is_fixed() => Vec::new(),
             Type::Vector { length, .. } => vec![length],
             Type::Matrix { rows, columns, .. } => vec![rows, columns],
             _ => Vec::new(),
         }
         .into_iter()
-        .map(|size| match size.value() {
-            Some(_) => size.clone(),
-            None => std::mem::replace(size, self.new_dimension()),
-        })
+        .map(|size| std::mem::replace(size, self.new_dimension()))
         .collect();
-        let mut value = self.add_at(span, call, found);
+        let returned = self.add_at(span, call, found);
+        let mut value = returned;
         for (axis, size) in sizes.iter().enumerate() {
-            if let Some(wanted) = self.size(size)
-                && size.value().is_none()
-            {
-                let found = self.extent(value, axis as u8);
+            if let Some(wanted) = self.size(size) {
+                let found = self.extent(returned, axis as u8);
                 value = self.add_at(span, Kind::Agree(wanted, found, value), declared.clone());
             }
         }

@@ -19,7 +19,7 @@ pub fn power<R: Build<Item = f64>>(a: &impl Square, p: f64, fault: Fault) -> Fal
     if !whole && matrix.is_empty() {
         return Ok(super::reshape(&matrix));
     }
-    if !whole && !(p.is_finite() && is_finite(&matrix)) {
+    if !(whole || p.is_finite() && is_finite(&matrix)) {
         return Ok(nans(matrix.nrows(), matrix.ncols()));
     }
     let power = match whole {
