@@ -55,123 +55,123 @@ pub fn substitute(arena: &mut Arena, e: ExprId, variables: &HashMap<VariableId, 
 }
 
 struct Substitution {
+    /// What takes the place of each variable in the current scope.
     variables: HashMap<VariableId, ExprId>,
-    memo: HashMap<ExprId, ExprId>,
+    /// What has been done, by what took the place of the variables in it: a variable may be bound again further in.
+    memo: HashMap<(ExprId, Vec<Option<ExprId>>), ExprId>,
 }
 
 impl Substitution {
     fn expr(&mut self, arena: &mut Arena, e: ExprId) -> ExprId {
-        if let Some(&done) = self.memo.get(&e) {
+        let free = arena.node(e).free.iter();
+        let key = (e, free.map(|v| self.variables.get(v).copied()).collect());
+        if let Some(&done) = self.memo.get(&key) {
             return done;
         }
-        let kind = arena.kind(e).clone();
-        let done = match &kind {
-            Kind::Variable(v) => self.variables.get(v).copied().unwrap_or(e),
-            _ => {
-                let mapped = match kind.clone() {
-                    Kind::Fold {
-                        op,
-                        variable,
-                        range,
-                        condition,
-                        body,
-                    } => {
-                        let variable = self.fresh(arena, variable);
-                        Kind::Fold {
-                            op,
-                            variable,
-                            range,
-                            condition,
-                            body,
-                        }
-                    }
-                    Kind::Tabulate {
-                        layout,
-                        variables,
-                        sizes,
-                        body,
-                    } => {
-                        let variables = variables
-                            .into_iter()
-                            .map(|v| self.fresh(arena, v))
-                            .collect();
-                        Kind::Tabulate {
-                            layout,
-                            variables,
-                            sizes,
-                            body,
-                        }
-                    }
-                    Kind::Scatter {
-                        variable,
-                        set,
-                        sizes,
-                        place,
-                        body,
-                    } => Kind::Scatter {
-                        variable: self.fresh(arena, variable),
-                        set,
-                        sizes,
-                        place,
-                        body,
-                    },
-                    Kind::Optimum {
-                        greatest,
-                        variables,
-                        start,
-                        restrictions,
-                        objective,
-                    } => {
-                        let variables = variables
-                            .into_iter()
-                            .map(|v| self.fresh(arena, v))
-                            .collect();
-                        Kind::Optimum {
-                            greatest,
-                            variables,
-                            start,
-                            restrictions,
-                            objective,
-                        }
-                    }
-                    Kind::Integral {
-                        variable,
-                        from,
-                        to,
-                        body,
-                    } => {
-                        let variable = self.fresh(arena, variable);
-                        Kind::Integral {
-                            variable,
-                            from,
-                            to,
-                            body,
-                        }
-                    }
-                    other => other,
+        let mut kind = arena.kind(e).clone();
+        let done = if let Kind::Variable(v) = kind {
+            self.variables.get(&v).copied().unwrap_or(e)
+        } else {
+            let outside: Vec<_> = bound_variables(&mut kind)
+                .iter_mut()
+                .map(|variable| self.bind(arena, variable))
+                .collect();
+            let kind = kind.map_operands(|operand| self.expr(arena, operand));
+            for (variable, value) in outside.into_iter().rev() {
+                match value {
+                    Some(value) => self.variables.insert(variable, value),
+                    None => self.variables.remove(&variable),
                 };
-                let mapped = mapped.map_operands(|operand| self.expr(arena, operand));
-                let ty = arena.ty(e).clone();
-                let done = arena.add(mapped, ty);
-                if let Some(span) = arena.origin(e) {
-                    arena.note_origin(done, span);
-                }
-                done
             }
+            let ty = arena.ty(e).clone();
+            let done = arena.add(kind, ty);
+            if let Some(span) = arena.origin(e) {
+                arena.note_origin(done, span);
+            }
+            done
         };
-        self.memo.insert(e, done);
+        self.memo.insert(key, done);
         done
     }
 
-    /// A new variable in place of a bound one.
-    fn fresh(&mut self, arena: &mut Arena, variable: VariableId) -> VariableId {
+    /// A new variable in place of a bound one; gives the old one with what took its place outside.
+    fn bind(
+        &mut self,
+        arena: &mut Arena,
+        variable: &mut VariableId,
+    ) -> (VariableId, Option<ExprId>) {
+        let old = *variable;
         let (name, ty) = (
-            arena.variable_name(variable).to_owned(),
-            arena.variable_type(variable).clone(),
+            arena.variable_name(old).to_owned(),
+            arena.variable_type(old).clone(),
         );
-        let fresh = arena.new_variable(&name, ty);
-        let value = arena.variable(fresh);
-        self.variables.insert(variable, value);
-        fresh
+        *variable = arena.new_variable(&name, ty);
+        let value = arena.variable(*variable);
+        (old, self.variables.insert(old, value))
+    }
+}
+
+/// The variables that an expression binds.
+fn bound_variables(kind: &mut Kind) -> &mut [VariableId] {
+    match kind {
+        Kind::Fold { variable, .. }
+        | Kind::Scatter { variable, .. }
+        | Kind::Integral { variable, .. } => std::slice::from_mut(variable),
+        Kind::Tabulate { variables, .. } | Kind::Optimum { variables, .. } => variables,
+        _ => &mut [],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::{Binary, Fold, Range};
+    use crate::types::Type;
+
+    /// The variable and the body of a sum.
+    fn parts(arena: &Arena, sum: ExprId) -> (VariableId, ExprId) {
+        match *arena.kind(sum) {
+            Kind::Fold { variable, body, .. } => (variable, body),
+            _ => panic!("no sum"),
+        }
+    }
+
+    #[test]
+    fn a_variable_bound_twice_keeps_its_scopes() {
+        let mut arena = Arena::default();
+        let n = arena.new_variable("n", Type::INTEGER);
+        let value = arena.variable(n);
+        let sum = |arena: &mut Arena, last, body| {
+            let [from, to] = [1, last].map(|k| arena.add(Kind::Integer(k), Type::INTEGER));
+            let kind = Kind::Fold {
+                op: Fold::Sum,
+                variable: n,
+                range: Range::Integers(from, to),
+                condition: None,
+                body,
+            };
+            arena.add(kind, Type::INTEGER)
+        };
+        // ∑_(n from 1 to 3) n (∑_(n from 1 to 2) n) n
+        let inner = sum(&mut arena, 2, value);
+        let product = Kind::Binary(Binary::Multiply, value, inner);
+        let product = arena.add(product, Type::INTEGER);
+        let product = Kind::Binary(Binary::Multiply, product, value);
+        let product = arena.add(product, Type::INTEGER);
+        let outer = sum(&mut arena, 3, product);
+
+        let done = substitute(&mut arena, outer, &HashMap::new());
+        let (outer, product) = parts(&arena, done);
+        let Kind::Binary(_, first, last) = *arena.kind(product) else {
+            panic!("no product");
+        };
+        let Kind::Binary(_, first, sum) = *arena.kind(first) else {
+            panic!("no product");
+        };
+        let (inner, body) = parts(&arena, sum);
+        assert_ne!(inner, outer);
+        assert_eq!(*arena.kind(body), Kind::Variable(inner));
+        assert_eq!(*arena.kind(first), Kind::Variable(outer));
+        assert_eq!(*arena.kind(last), Kind::Variable(outer));
     }
 }
