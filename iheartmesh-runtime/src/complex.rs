@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use crate::boundary::{self, BoundaryMatrix};
 use crate::mesh::MeshError;
 use crate::order::VertexOrder;
+use crate::steps::Steps;
 
 /// Elements of dimensions 0 to `dimension()` and the signed boundary matrices ∂ᵏ between them.
 ///
@@ -29,6 +30,7 @@ pub struct CellComplex {
     has_tails_first: bool,
     incidences: Vec<Incidence>,
     order: OnceLock<Option<VertexOrder>>,
+    steps: Steps,
 }
 
 /// ∂ᵏ for one k, in its four forms.
@@ -65,6 +67,7 @@ impl CellComplex {
             has_tails_first,
             incidences: matrices.into_iter().map(incidence).collect(),
             order: OnceLock::new(),
+            steps: Steps::default(),
         }
     }
 
@@ -270,6 +273,10 @@ impl CellComplex {
     /// An order of the vertices that is better for memory than their numbering, if there is one. Found on the first call.
     pub(crate) fn vertex_order(&self) -> Option<&VertexOrder> {
         self.order.get_or_init(|| VertexOrder::of(self)).as_ref()
+    }
+
+    pub(crate) fn steps(&self) -> &Steps {
+        &self.steps
     }
 
     /// Entry of ∂ᵏ: −1, +1, or 0 where `row` is no side of `column`.

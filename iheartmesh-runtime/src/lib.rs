@@ -33,6 +33,7 @@ pub mod io;
 mod mesh;
 mod order;
 mod set;
+mod steps;
 mod values;
 
 pub use boundary::BoundaryMatrix;

@@ -19,6 +19,7 @@ mod power;
 mod quadrature;
 mod sparse;
 mod sparse_lu;
+mod steps;
 mod table;
 mod touch;
 
@@ -50,6 +51,9 @@ pub use orbit::{Grouped, Orbits};
 pub use power::power;
 pub use quadrature::integral;
 pub use sparse::*;
+pub use steps::{
+    Faces, beside_in_face, closed_ring, faces_of_vertex, first_common, vertices_of_face, with_signs,
+};
 pub use table::{Dense, Rows, Table, concatenated};
 pub use touch::{Touch, touch};
 

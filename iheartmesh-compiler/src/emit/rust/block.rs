@@ -30,7 +30,7 @@ pub(super) struct Body<'a> {
     pub(super) placement: Placement,
     /// Expressions that have a name.
     pub(super) names: BTreeMap<ExprId, Ident>,
-    /// Calls whose values are at hand.
+    /// Calls, and entries of boundary matrices, whose values are at hand.
     pub(super) calls: BTreeMap<ExprId, TokenStream>,
     /// How variables are written, where not by their own name.
     pub(super) variables: BTreeMap<VariableId, TokenStream>,
@@ -244,7 +244,7 @@ impl<'a> Body<'a> {
         quote!(#locals #head { #inside })
     }
 
-    fn variable_expr(&self, variable: VariableId) -> ExprId {
+    pub(super) fn variable_expr(&self, variable: VariableId) -> ExprId {
         // the expression of a bound variable exists as soon as the variable does
         let arena = &self.context.program().arena;
         let ty = arena.variable_type(variable).clone();
@@ -373,6 +373,9 @@ impl<'a> Body<'a> {
                     quote!(for #name in 0..#n as u32)
                 }
                 (_, ty) if ty.element_of_set().is_some() => {
+                    if let Some(head) = self.column_with_signs(variable, *set) {
+                        return head;
+                    }
                     let set = self.ids(*set);
                     quote!(for &#name in #set)
                 }

@@ -145,7 +145,9 @@ impl Body<'_> {
                 }
             }
             Kind::Column(..) => self.column(e),
-            Kind::Call(..) if self.calls.contains_key(&e) => self.calls[&e].clone(),
+            Kind::Call(..) | Kind::Entry(..) if self.calls.contains_key(&e) => {
+                self.calls[&e].clone()
+            }
             Kind::Call(id, arguments) => {
                 let name = self.context.function_name(*id);
                 let first = match self.context.is_static_function(*id) {

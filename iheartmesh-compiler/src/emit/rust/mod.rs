@@ -23,6 +23,7 @@ mod plan;
 mod set;
 mod setter;
 mod size;
+mod steps;
 mod tabulate;
 mod tie;
 mod types;

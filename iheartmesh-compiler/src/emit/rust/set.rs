@@ -31,6 +31,9 @@ impl Body<'_> {
                 if let Some((boundary, item)) = self.single_column(e) {
                     return self.matrix_column(boundary, item);
                 }
+                if let Some(list) = self.two_steps(e) {
+                    return list;
+                }
                 let value = self.value(e);
                 quote!(&#value[..])
             }
@@ -38,13 +41,8 @@ impl Body<'_> {
     }
 
     /// The boundary matrix and the element, where a set is what the matrix connects to this element.
-    fn single_column(&self, e: ExprId) -> Option<(Boundary, ExprId)> {
-        let single = |set| match self.kind(set) {
-            Kind::Set(items) if items.len() == 1 && !self.names.contains_key(&set) => {
-                Some(items[0])
-            }
-            _ => None,
-        };
+    pub(super) fn single_column(&self, e: ExprId) -> Option<(Boundary, ExprId)> {
+        let single = |set| self.singleton(set);
         match self.kind(e) {
             Kind::Traverse(boundary, set) => Some((*boundary, single(*set)?)),
             // of a function that is nothing else
@@ -63,6 +61,18 @@ impl Body<'_> {
             }
             _ => None,
         }
+    }
+
+    /// The member of a set that is written with one, if it is at hand.
+    pub(super) fn singleton(&self, set: ExprId) -> Option<ExprId> {
+        let Kind::Set(items) = self.kind(set) else {
+            return None;
+        };
+        let &[item] = items.as_slice() else {
+            return None;
+        };
+        let is_variable = matches!(self.kind(item), Kind::Variable(_));
+        (is_variable || !self.names.contains_key(&set)).then_some(item)
     }
 
     /// What a boundary matrix connects to an element, as it stands in the matrix.
@@ -94,15 +104,8 @@ impl Body<'_> {
                     }
                 }
             }
-            Kind::SetOp(SetOp::Difference, a, b)
-                if elements
-                    && !self.names.contains_key(b)
-                    && matches!(self.kind(*b), Kind::Set(items) if items.len() == 1) =>
-            {
-                let item = match self.kind(*b) {
-                    Kind::Set(items) => self.owned(items[0]),
-                    _ => TokenStream::new(),
-                };
+            Kind::SetOp(SetOp::Difference, a, b) if elements && self.singleton(*b).is_some() => {
+                let item = self.singleton(*b).map(|item| self.owned(item));
                 let a = self.ids(*a);
                 quote!(rt::without(#a, #item))
             }
@@ -124,6 +127,9 @@ impl Body<'_> {
             }
             Kind::Cardinality(set) => self.cardinality(*set),
             Kind::SetItem(set, index) => {
+                if let Some(step) = self.step_to_item(e, *set, *index) {
+                    return step;
+                }
                 let index = self.owned(*index);
                 let site = self.context.site(e);
                 let set = self.slice(*set);
@@ -218,7 +224,7 @@ impl Body<'_> {
     }
 
     /// The mesh, the number of a boundary matrix, whether it has signs, whether it is transposed.
-    fn boundary(&self, boundary: Boundary) -> (TokenStream, TokenStream, bool, bool) {
+    pub(super) fn boundary(&self, boundary: Boundary) -> (TokenStream, TokenStream, bool, bool) {
         let mesh = self.context.mesh_field(boundary.mesh);
         let k = Literal::u8_unsuffixed(boundary.dimension);
         (
@@ -234,6 +240,12 @@ impl Body<'_> {
         if let Some((boundary, item)) = self.single_column(e) {
             let column = self.matrix_column(boundary, item);
             return quote!(rt::copied(#column));
+        }
+        if let Some(list) = self.two_steps(e) {
+            return quote!(rt::copied(#list));
+        }
+        if let Some(ring) = self.closed_ring(boundary, set) {
+            return ring;
         }
         let (mesh, k, _, transposed) = self.boundary(boundary);
         let set = self.ids(set);
