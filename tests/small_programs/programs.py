@@ -1909,3 +1909,240 @@ case(
     D=sl.fractional_matrix_power(Q3, -0.5).real,
     E=Q3,
 )
+
+# sums, sequences and sizes in further spellings
+q6, p6 = r(6), r(6)
+M66 = r(6, 6)
+seq4 = [r(3) for _ in range(4)]
+lens = [2, 3, 1, 4]
+rag = [r(n) for n in lens]
+rag_square = [r(n, n) for n in lens]
+dyn = lambda items: sequence([vector(x) for x in items])
+fix = lambda items: sequence([fixed_vector(x) for x in items])
+reals = lambda items: sequence([real(x) for x in items])
+Ssparse = np.round(spd(5) * (rng.uniform(size=(5, 5)) < 0.4), 3)
+Ssparse = Ssparse + Ssparse.T + 9 * np.eye(5)
+Tsparse = np.round(r(5, 5) * (rng.uniform(size=(5, 5)) < 0.5), 3)
+case(
+    "ragged_total",
+    "s = ∑_i ∑_j x_i,j\nt = ∑_i ∑_(j = 1)^(n_i) j x_i,j\nwhere\nx_i ∈ ℝ^(n_i)",
+    [dyn(rag)],
+    s=sum(x.sum() for x in rag),
+    t=sum((np.arange(1, len(x) + 1) * x).sum() for x in rag),
+)
+case(
+    "ragged_systems",
+    "y_i = A_i⁻¹ x_i\ns = ∑_i x_iᵀ A_i x_i\nwhere\nx_i ∈ ℝ^(n_i)\nA_i ∈ ℝ^(n_i×n_i)",
+    [dyn(rag), sequence([matrix(A) for A in rag_square])],
+    y=[np.linalg.solve(A, x) for A, x in zip(rag_square, rag)],
+    s=sum(x @ A @ x for A, x in zip(rag_square, rag)),
+)
+case(
+    "sum_over_set_and_later",
+    "y = ∑_(i ∈ S) ∑_(j for j > i) a_i a_j\nwhere\nS ∈ {ℤ}\na_i ∈ ℝ",
+    [integer_set([1, 3, 6]), reals(q6)],
+    y=sum(q6[i - 1] * q6[j] for i in (1, 3, 6) for j in range(i, 6)),
+)
+case(
+    "entries_in_set",
+    "y_i = { a_i if i ∈ S\n        -1 otherwise\nwhere\na_i ∈ ℝ\nS ∈ {ℤ}",
+    [reals(q6), integer_set([2, 5])],
+    y=[q6[i] if i in (1, 4) else -1 for i in range(6)],
+)
+case(
+    "matrix_by_order",
+    "M_ij = { 1 if i = j\n         a_i a_j if i < j\n         0 otherwise\nwhere\na ∈ ℝ^n",
+    [vector(q6)],
+    M=np.triu(np.outer(q6, q6), 1) + np.eye(6),
+)
+case(
+    "bidiagonal",
+    "M ∈ ℝ^(n×n)\nM_ij = { 1 if i = j\n         a_i if j = i + 1\n         0 otherwise\ny = M a\nwhere\na ∈ ℝ^n",
+    [vector(q6)],
+    M=np.eye(6) + np.diag(q6[:5], 1),
+    y=(np.eye(6) + np.diag(q6[:5], 1)) @ q6,
+)
+case(
+    "triangular_sum",
+    "y = ∑_(i=1)^n ∑_(j=1)^i A_ij\nwhere\nA ∈ ℝ^(n×n)",
+    [matrix(M66)],
+    y=np.tril(M66).sum(),
+)
+case(
+    "signed_identity_blocks",
+    "B = [I_m A; Aᵀ -I]\nC = [A 0_(m,2); 1_(2,n) [1 2; 3 4]]\nwhere\nA ∈ ℝ^(m×n)",
+    [matrix(M45)],
+    B=np.block([[np.eye(4), M45], [M45.T, -np.eye(5)]]),
+    C=np.block([[M45, np.zeros((4, 2))], [np.ones((2, 5)), np.array([[1, 2], [3, 4]])]]),
+)
+case(
+    "columns_over_their_sums",
+    "y_i = ‖A_i,*‖\ns_j = ∑_i A_ij\nB_*,j = A_*,j / s_j\nz = B_*,1 + A_*,2\nwhere\nA ∈ ℝ^(m×n)",
+    [matrix(M45)],
+    y=np.linalg.norm(M45, axis=1),
+    s=M45.sum(axis=0),
+    B=M45 / M45.sum(axis=0),
+    z=M45[:, 0] / M45[:, 0].sum() + M45[:, 1],
+)
+case(
+    "weighted_covariance",
+    "A = ∑_i w_i (x_i - μ)(x_i - μ)ᵀ\nμ = (∑_i w_i x_i) / ∑_i w_i\nwhere\nx_i ∈ ℝ^3\nw_i ∈ ℝ",
+    [fix(seq4), reals(q6[:4])],
+    A=sum(
+        w * np.outer(x - m, x - m)
+        for m in [sum(w * x for w, x in zip(q6, seq4)) / sum(q6[:4])]
+        for w, x in zip(q6, seq4)
+    ),
+)
+case(
+    "vectorised_kronecker",
+    "vec from linearalgebra\ny = (A ⊗ I_2) vec(B)\nz = vec(B Aᵀ)\nwhere\nA ∈ ℝ^(2×2)\nB ∈ ℝ^(2×2)",
+    [fixed_matrix(A2), fixed_matrix(B2)],
+    y=np.kron(A2, np.eye(2)) @ B2.flatten("F"),
+    z=(B2 @ A2.T).flatten("F"),
+)
+case(
+    "appended_one",
+    "y = A (x, 1)\nz = A [x; 1]\nwhere\nA ∈ ℝ^(m×(n+1))\nx ∈ ℝ^n",
+    [matrix(M45), vector(q6[:4])],
+    y=M45 @ np.append(q6[:4], 1),
+    z=M45 @ np.append(q6[:4], 1),
+)
+case(
+    "rotation_about_axis",
+    "R = I_3 + sin(θ) K + (1 - cos(θ)) K²\nK = [0 -k_3 k_2\n     k_3 0 -k_1\n     -k_2 k_1 0]\nsin, cos from trigonometry\nwhere\nk ∈ ℝ^3\nθ ∈ ℝ",
+    [fixed_vector([0.6, 0.0, 0.8]), real(0.7)],
+    R=sl.expm(0.7 * np.array([[0, -0.8, 0], [0.8, 0, -0.6], [0, 0.6, 0]])),
+)
+case(
+    "difference_of_indices",
+    "y = ∑_(i = 2)^n (a_i - a_(i-1))² + a_(n) a_1\nz = x_(b_2) + M_(b_1, 2) + x_(n-1)\nwhere\na ∈ ℝ^n\nx ∈ ℝ^n\nb ∈ ℤ^3\nM ∈ ℝ^(4×4)",
+    [vector(q6), vector(p6), rust("SVector::<i64, 3>::new(3, 5, 1)"), fixed_matrix(S4)],
+    y=(np.diff(q6) ** 2).sum() + q6[5] * q6[0],
+    z=p6[4] + S4[2, 1] + p6[4],
+)
+case(
+    "integers_and_reals_in_sets",
+    "S = {1, 2, 3} ∪ {k² for k ∈ T if k > 1}\ny = ∑_(k ∈ S \\ {1}) k\nz = |S|\nR = {0.5} ∩ T\nwhere\nT ∈ {ℤ}",
+    [integer_set([-4, 2, 5])],
+    S=[1, 2, 3, 4, 25],
+    y=34,
+    z=5,
+    R=[],
+)
+case(
+    "sparse_stays_sparse",
+    "C = A²\nD = A ∘ B\nE = A + B\nF = A ∘ G\nH = A³ - 2B\ny = A² b\ns = trace(A ∘ B) + |A|\ntrace from linearalgebra\nwhere\nA ∈ ℝ^(n×n) sparse\nB ∈ ℝ^(n×n) sparse\nG ∈ ℝ^(n×n)\nb ∈ ℝ^n",
+    [sparse(Ssparse), sparse(Tsparse), matrix(S5), vector(n5)],
+    C=Ssparse @ Ssparse,
+    D=Ssparse * Tsparse,
+    E=Ssparse + Tsparse,
+    F=Ssparse * S5,
+    H=Ssparse @ Ssparse @ Ssparse - 2 * Tsparse,
+    y=Ssparse @ Ssparse @ n5,
+    s=np.trace(Ssparse * Tsparse) + np.linalg.det(Ssparse),
+)
+case(
+    "sparse_solves",
+    "y = A \\ b + A⁻¹ b\nX = A⁻¹ G\nz = bᵀ A⁻¹ b\nwhere\nA ∈ ℝ^(n×n) sparse\nb ∈ ℝ^n\nG ∈ ℝ^(n×n)",
+    [sparse(Ssparse), vector(n5), matrix(S5)],
+    y=2 * np.linalg.solve(Ssparse, n5),
+    X=np.linalg.solve(Ssparse, S5),
+    z=n5 @ np.linalg.solve(Ssparse, n5),
+)
+case(
+    "norms_with_powers",
+    "y = ||x||_p + ||x||_3^2 + ‖x‖_∞ + ||A||_F² + ||x||_P^2 + ‖x‖₁\nwhere\nx ∈ ℝ^n\np ∈ ℝ\nA ∈ ℝ^(n×m)\nP ∈ ℝ^(n×n)",
+    [vector(n5), real(1.5), matrix(M45.T), matrix(S5)],
+    y=(np.abs(n5) ** 1.5).sum() ** (1 / 1.5)
+    + np.linalg.norm(n5, 3) ** 2
+    + np.abs(n5).max()
+    + (M45**2).sum()
+    + n5 @ S5 @ n5
+    + np.abs(n5).sum(),
+)
+case(
+    "callbacks_of_sequences",
+    "y = ∑_i f(x_i, a)\nz_i = f(x_i, i)\nwhere\nf ∈ ℝ^3, ℝ → ℝ\nx_i ∈ ℝ^3\na ∈ ℝ",
+    [rust("|u: DVec3, t: f64| u.x * t + u.z"), fix(seq4), real(a)],
+    y=sum(x[0] * a + x[2] for x in seq4),
+    z=[x[0] * (i + 1) + x[2] for i, x in enumerate(seq4)],
+)
+case(
+    "function_of_two_subscripts_and_a_vector",
+    "K_ij(x) = x_i x_j where i, j ∈ ℤ, x ∈ ℝ^n\ny = K_1,2(u) + K(1, 3, u) + K_2(3, u)\nwhere\nu ∈ ℝ^4",
+    [fixed_vector(q6[:4])],
+    y=q6[0] * q6[1] + q6[0] * q6[2] + q6[1] * q6[2],
+)
+case(
+    "products_over_indices",
+    "y = (∏_(i=1)^n (x - a_i)) / ∏_i b_i\nz = ∏_(i for i ≠ 2) a_i\nwhere\na ∈ ℝ^n\nb ∈ ℝ^n\nx ∈ ℝ",
+    [vector(q6), vector(p6), real(0.3)],
+    y=np.prod(0.3 - q6) / np.prod(p6),
+    z=np.prod(np.delete(q6, 1)),
+)
+case(
+    "least_of_everything",
+    "y = min(a, b, 3) + max({a, b}) - min(x) + max(A)\nwhere\na, b ∈ ℝ\nx ∈ ℝ^n\nA ∈ ℝ^(n×n)",
+    [real(a), real(b), vector(q6), matrix(M66)],
+    y=min(a, b, 3) + max(a, b) - q6.min() + M66.max(),
+)
+case(
+    "halves_of_integers",
+    "y = n/2 + 1/2\nk = n - 1\nz = ∑_(i = 1)^k i/n\nwhere\nn ∈ ℤ",
+    [integer(7)],
+    y=4,
+    k=6,
+    z=21 / 7,
+)
+case(
+    "sequences_as_vectors",
+    "y = A w\nz = A \\ w\nt = b⋅w + (A w)⋅b\nd = b - w\nwhere\nA ∈ ℝ^(n×n)\nw_i ∈ ℝ\nb ∈ ℝ^n",
+    [matrix(S5), reals(q6[:5]), vector(n5)],
+    y=S5 @ q6[:5],
+    z=np.linalg.solve(S5, q6[:5]),
+    t=n5 @ q6[:5] + S5 @ q6[:5] @ n5,
+    d=n5 - q6[:5],
+)
+case(
+    "pairs_of_a_set",
+    "y = ∑_((i,j) ∈ P) a_i b_j\nz = ∑_(p ∈ P) a_(p_1) b_(p_2)\nQ = {tuple(j, i) for i, j ∈ P if i < j}\nc = |Q|\nwhere\nP ∈ {ℤ×ℤ}\na ∈ ℝ^n\nb ∈ ℝ^m",
+    [pairs([(1, 2), (3, 1), (2, 5)]), vector(q6), vector(n5)],
+    y=q6[0] * n5[1] + q6[2] * n5[0] + q6[1] * n5[4],
+    z=q6[0] * n5[1] + q6[2] * n5[0] + q6[1] * n5[4],
+    c=2,
+)
+case(
+    "degrees_and_laplacian",
+    "A ∈ ℝ^(n×n)\nA_ij = { 1 if (i,j) ∈ P\n         0 otherwise\nd_i = ∑_j A_ij\nD_ii = d_i\nL = D - A\nq = xᵀ L x\nwhere\nP ∈ {ℤ×ℤ} index\nx ∈ ℝ^n",
+    [pairs([(0, 1), (1, 0), (1, 2), (2, 1), (0, 3), (3, 0)]), vector(q6[:4])],
+    d=[2, 2, 1, 1],
+    L=np.array([[2, -1, 0, -1], [-1, 2, -1, 0], [0, -1, 1, 0], [-1, 0, 0, 1]]),
+    q=(q6[0] - q6[1]) ** 2 + (q6[1] - q6[2]) ** 2 + (q6[0] - q6[3]) ** 2,
+)
+case(
+    "projection_out_of",
+    "v = (I_n - u uᵀ/(u⋅u)) w\nc = <u, v> + ⟨v, v⟩_P\nwhere\nu, w ∈ ℝ^n\nP ∈ ℝ^(n×n)",
+    [vector(n5), vector(m5), matrix(S5)],
+    v=m5 - n5 * (n5 @ m5) / (n5 @ n5),
+    c=(lambda v: n5 @ v + v @ S5 @ v)(m5 - n5 * (n5 @ m5) / (n5 @ n5)),
+)
+case(
+    "columns_by_assignment",
+    "A ∈ ℝ^(3×2)\nA_*,1 = u\nA_*,2 = v\nG = AᵀA\nwhere\nu, v ∈ ℝ^3",
+    [fixed_vector(u3), fixed_vector(v3)],
+    A=np.column_stack([u3, v3]),
+    G=np.column_stack([u3, v3]).T @ np.column_stack([u3, v3]),
+)
+case(
+    "locals_of_locals",
+    "f(x) = g(x) + 1 where x ∈ ℝ\ng(x) = h x where x ∈ ℝ,\n  h = 2 k,\n  k = x + s\ns = ∑_i w_i\ny = f(3)\nwhere\nw_i ∈ ℝ",
+    [reals(q6)],
+    y=2 * (3 + q6.sum()) * 3 + 1,
+)
+case(
+    "moving_average",
+    "y ∈ ℝ^n\ny_i = 1/(2k+1) ∑_(j = -k)^k a_(max(1, min(n, i + j)))\nwhere\na ∈ ℝ^n\nk ∈ ℤ\nb ∈ ℝ^n",
+    [vector(q6), integer(1), vector(p6)],
+    y=[(q6[max(0, i - 1)] + q6[i] + q6[min(5, i + 1)]) / 3 for i in range(6)],
+)

@@ -142,7 +142,17 @@ impl Checker<'_> {
         };
         let item = match declared.ty {
             Type::Sequence { .. } => {
-                self.unsupported(declaration.ty.span, "sequences of sequences are");
+                let target = &declaration.targets[target];
+                let name = &target.name.text;
+                let message = format!("`{name}` is indexed by `{}` and by a set", letter.text);
+                self.report(
+                    Diagnostic::error(declaration.ty.span, message)
+                        .label(target.name.span, "the subscript makes a sequence already")
+                        .help(format!(
+                            "write `{name} : V → …` without the subscript, or `{name}_{} ∈ …` with the type of an item",
+                            letter.text
+                        )),
+                );
                 Type::Error
             }
             item => item,

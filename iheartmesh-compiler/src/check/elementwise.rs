@@ -78,7 +78,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Notes that two sizes must be the same, so that they are compared once; whether that is possible.
-    fn tie(&mut self, sizes: [&Dimension; 2], index: &str) -> bool {
+    pub(super) fn tie(&mut self, sizes: [&Dimension; 2], index: &str) -> bool {
         let is_number = |size: &Dimension| size.value().is_some();
         let is_known = |size: &Dimension| {
             is_number(size)

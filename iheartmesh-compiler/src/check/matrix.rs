@@ -3,9 +3,9 @@
 use super::Checker;
 use super::operator::extents;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind};
+use crate::ir::{ExprId, Kind, Unary};
 use crate::span::Span;
-use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::ast::{Expr, ExprKind, UnaryOp};
 use crate::types::{Dimension, Type};
 
 /// A cell of a matrix.
@@ -14,8 +14,8 @@ enum Cell {
     Block(ExprId, Dimension, Dimension),
     /// `0` or `1`: fills a block of any size.
     Filling(f64),
-    /// `I`: an identity of any size.
-    Identity,
+    /// `I` or `-I`: an identity of any size, and whether it is negated.
+    Identity(bool),
 }
 
 impl<'a> Checker<'a> {
@@ -164,7 +164,16 @@ impl<'a> Checker<'a> {
     fn cell(&mut self, cell: &'a Expr, is_block: bool) -> Option<Cell> {
         match &cell.kind {
             ExprKind::Name(name) if name.text == "I" && is_block && !self.is_bound("I") => {
-                return Some(Cell::Identity);
+                return Some(Cell::Identity(false));
+            }
+            ExprKind::Unary {
+                op: UnaryOp::Negate,
+                operand,
+            } if matches!(&operand.kind, ExprKind::Name(name) if name.text == "I")
+                && is_block
+                && !self.is_bound("I") =>
+            {
+                return Some(Cell::Identity(true));
             }
             ExprKind::Integer(value @ (0 | 1)) => return Some(Cell::Filling(*value as f64)),
             _ => {}
@@ -245,7 +254,7 @@ impl<'a> Checker<'a> {
         // an identity is square: its column gives its row a height, and the other way round
         for (r, list) in cells.iter().enumerate() {
             for (k, cell) in list.iter().enumerate() {
-                if matches!(cell, Cell::Identity) && regular {
+                if matches!(cell, Cell::Identity(_)) && regular {
                     match (&heights[r], &widths[k]) {
                         (None, Some(width)) => heights[r] = Some(width.clone()),
                         (Some(height), None) => widths[k] = Some(height.clone()),
@@ -275,7 +284,7 @@ impl<'a> Checker<'a> {
             .map(|(r, list)| {
                 let known = |k: usize, cell: &Cell| match cell {
                     Cell::Block(_, _, columns) => Some(columns.clone()),
-                    Cell::Identity => Some(
+                    Cell::Identity(_) => Some(
                         widths
                             .get(k)
                             .cloned()
@@ -402,7 +411,7 @@ impl<'a> Checker<'a> {
                             }
                         }
                     }
-                    Cell::Identity => {
+                    Cell::Identity(negative) => {
                         if height.differs(&width) {
                             let message =
                                 format!("an identity cannot fill a block of {height}×{width}");
@@ -412,7 +421,14 @@ impl<'a> Checker<'a> {
                             );
                         }
                         match self.block_size(&cells, &height) {
-                            Some(n) => self.add(Kind::Identity(n), filling(height, width, true)),
+                            Some(n) => {
+                                let ty = filling(height, width, true);
+                                let identity = self.add(Kind::Identity(n), ty.clone());
+                                match negative {
+                                    true => self.add(Kind::Unary(Unary::Negate, identity), ty),
+                                    false => identity,
+                                }
+                            }
                             None => {
                                 return self.unsupported(
                                     rows[r][k].span,

@@ -188,8 +188,12 @@ impl<'a> Checker<'a> {
         if self.is_wrong(a) || self.is_wrong(b) {
             return self.error();
         }
-        let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
-        let (a, b) = (self.with_entries(a, &tb), self.with_entries(b, &ta));
+        // a right side has as many rows as the matrix, a factor as its columns
+        let axis = u8::from(op != BinaryOp::Solve);
+        let (a, b) = (
+            self.with_entries(a, left.span, b, 0),
+            self.with_entries(b, right.span, a, axis),
+        );
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         let sides = Sides { e, left, right };
         match op {
@@ -233,6 +237,9 @@ impl<'a> Checker<'a> {
                         return self.not_square(e.span, "take a power of", left, &ta);
                     }
                     let a = self.squared(e.span, a);
+                    if let Some(power) = self.sparse_power(a, b) {
+                        return power;
+                    }
                     let (a, b) = (self.real(a), self.real(b));
                     self.add_at(e.span, Kind::Binary(Binary::MatrixPower, a, b), Type::real_matrix(n, m))
                 }

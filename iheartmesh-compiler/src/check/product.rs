@@ -4,9 +4,10 @@ use super::Checker;
 use super::operator::{Sides, differ, extents};
 use super::wording::{NOT_NUMBERS, ONE_MESH};
 use crate::ir::{Binary, Boundary, ExprId, Kind, Unary};
+use crate::span::Span;
 use crate::syntax::ast::ExprKind;
 use crate::types::display::plural;
-use crate::types::{Dimension, Number, Shape, Type};
+use crate::types::{Atom, Dimension, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
     /// A boundary matrix as a sparse matrix of numbers, where it is multiplied by such or by another one; anything else as
@@ -33,28 +34,57 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A sequence of numbers as a vector, where it stands beside a vector or a matrix; anything else as it is.
-    pub(super) fn with_entries(&mut self, e: ExprId, other: &Type) -> ExprId {
-        let beside = match other {
-            Type::Matrix { .. } => true,
-            other => matches!(other.shape(), Some(Shape::Vector(_))),
+    /// A sequence of numbers as a vector, where it stands beside a vector or a matrix; anything else as it is. `axis` says
+    /// which size of a matrix it must have.
+    pub(super) fn with_entries(
+        &mut self,
+        e: ExprId,
+        span: Span,
+        other: ExprId,
+        axis: u8,
+    ) -> ExprId {
+        let wanted = match (self.ty(other), axis) {
+            (
+                Type::Vector {
+                    length,
+                    space: None,
+                    ..
+                },
+                _,
+            ) => length.clone(),
+            (Type::Matrix { rows, .. }, 0) => rows.clone(),
+            (Type::Matrix { columns, .. }, _) => columns.clone(),
+            _ => return e,
         };
-        match self.ty(e).clone() {
-            Type::Sequence { item, length, .. } if beside && item.is_scalar() => {
-                let items = match item.is_integer() {
-                    true => self.convert(
-                        e,
-                        &Type::Sequence {
-                            item: Box::new(Type::REAL),
-                            length: length.clone(),
-                            index: None,
-                        },
-                    ),
-                    false => e,
-                };
-                self.add(Kind::Unary(Unary::Stack, items), Type::real_vector(length))
-            }
-            _ => e,
+        let Type::Sequence { item, length, .. } = self.ty(e).clone() else {
+            return e;
+        };
+        if !item.is_scalar() {
+            return e;
+        }
+        let reals = Type::Sequence {
+            item: Box::new(Type::REAL),
+            length: length.clone(),
+            index: None,
+        };
+        let items = match item.is_integer() {
+            true => self.convert(e, &reals),
+            false => e,
+        };
+        let own = self.add(
+            Kind::Unary(Unary::Stack, items),
+            Type::real_vector(length.clone()),
+        );
+        let Some(Atom::Length(letter)) = length.as_atom() else {
+            return own;
+        };
+        let wanted_vector = Type::real_vector(wanted.clone());
+        if self.tie([&length, &wanted], letter) {
+            return self.add(Kind::Unary(Unary::Stack, items), wanted_vector);
+        }
+        match (self.size(&wanted), self.size(&length)) {
+            (Some(n), Some(m)) => self.add_at(span, Kind::Agree(n, m, own), wanted_vector),
+            _ => own,
         }
     }
 
@@ -288,13 +318,45 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// A power of a sparse matrix with a small exponent that stands in the text: products, which are sparse.
+    pub(super) fn sparse_power(&mut self, a: ExprId, exponent: ExprId) -> Option<ExprId> {
+        const MOST: i64 = 16;
+        let a = self.real(a);
+        let ty = self.ty(a).clone();
+        let mut k = match self.program.arena.kind(exponent) {
+            Kind::Integer(k) if ty.is_sparse() && (1..=MOST).contains(k) => *k,
+            _ => return None,
+        };
+        // by repeated squaring
+        let (mut square, mut power) = (a, None);
+        loop {
+            if k % 2 == 1 {
+                power = Some(match power {
+                    None => square,
+                    Some(p) => self.add(Kind::Binary(Binary::Product, p, square), ty.clone()),
+                });
+            }
+            k /= 2;
+            if k == 0 {
+                return power;
+            }
+            square = self.add(Kind::Binary(Binary::Product, square, square), ty.clone());
+        }
+    }
+
     /// An operation on operands of one size.
     pub(super) fn entrywise(&mut self, op: Binary, a: ExprId, b: ExprId, shape: Shape) -> ExprId {
         let (a, b) = (self.real(a), self.real(b));
         if matches!(shape, Shape::Scalar) && self.ty(a).is_scalar() {
             return self.add(Kind::Binary(Binary::Multiply, a, b), Type::REAL);
         }
-        self.add(Kind::Binary(op, a, b), shape.real())
+        let is_sparse = self.ty(a).is_sparse() || self.ty(b).is_sparse();
+        let ty = match shape {
+            // what is 0 on one side is 0
+            Shape::Matrix(rows, columns) if is_sparse => Type::sparse_matrix(rows, columns),
+            shape => shape.real(),
+        };
+        self.add(Kind::Binary(op, a, b), ty)
     }
 
     /// `A \\ b`, `A⁻¹ b`.

@@ -261,11 +261,13 @@ impl<'a> Checker<'a> {
         match (self.program.arena.kind(index.1), size) {
             (Kind::Integer(k), Some(n)) if *k < 1 || *k > n => {
                 let what = if axis == 0 { "row" } else { "column" };
-                let message = format!("a matrix with {n} {what}s has no {what} {k}");
-                self.report(
-                    Diagnostic::error(index.0.span, message)
-                        .help(format!("{what}s are numbered from 1 to {n}")),
-                );
+                let (s, help) = match n {
+                    0 => ("s", format!("it has no {what}s")),
+                    1 => ("", format!("its only {what} is number 1")),
+                    n => ("s", format!("{what}s are numbered from 1 to {n}")),
+                };
+                let message = format!("a matrix with {n} {what}{s} has no {what} {k}");
+                self.report(Diagnostic::error(index.0.span, message).help(help));
                 false
             }
             _ => true,

@@ -105,6 +105,18 @@ pub fn product_sparse<R: Build<Item = f64>>(a: &impl Array<Item = f64>, b: &CsMa
     all
 }
 
+/// The product of two matrices of one size, entry by entry, at the stored entries of the first.
+pub fn sparse_hadamard(a: &CsMat<f64>, b: &impl Array<Item = f64>) -> CsMat<f64> {
+    let mut triplets = TriMat::new((a.rows(), a.cols()));
+    for (x, (i, j)) in a {
+        let product = x * b.entry(i, j);
+        if product != 0.0 {
+            triplets.add_triplet(i, j, product);
+        }
+    }
+    triplets.to_csc()
+}
+
 /// The Kronecker product, where one is sparse at least.
 pub fn sparse_kronecker(a: &impl Array<Item = f64>, b: &impl Array<Item = f64>) -> CsMat<f64> {
     let (p, q) = (b.rows(), b.columns());

@@ -449,6 +449,10 @@ impl Body<'_> {
             Binary::Product if all_dynamic && !sparse_b => quote!((#a * #b)),
             Binary::Product if sparse_b => quote!(rt::product_sparse::<#ty>(#a, #b)),
             Binary::Product => quote!(rt::product::<#ty>(#a, #b)),
+            Binary::Hadamard if self.ty(e).is_sparse() && sparse_a => {
+                quote!(rt::sparse_hadamard(#a, #b))
+            }
+            Binary::Hadamard if self.ty(e).is_sparse() => quote!(rt::sparse_hadamard(#b, #a)),
             Binary::Hadamard => quote!(rt::zip::<#ty>(#a, #b, |x, y| x * y)),
             Binary::Dot | Binary::Frobenius => quote!(rt::inner(#a, #b)),
             Binary::Kronecker if self.ty(e).is_sparse() => quote!(rt::sparse_kronecker(#a, #b)),

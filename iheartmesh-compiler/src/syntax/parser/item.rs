@@ -53,7 +53,8 @@ impl Parser<'_> {
     /// Something follows an item that is complete.
     fn trailing(&mut self, start: Span) {
         let read = start.start as usize..self.here().start as usize;
-        let goes_on = self.text[read].contains('\n');
+        let goes_on = self.text[read.clone()].contains('\n');
+        let cases = self.text[read].contains('{');
         let help = match self.kind() {
             Kind::Assign | Kind::In | Kind::Colon if goes_on => {
                 "the item goes on over the line break before this; is that line complete?"
@@ -72,6 +73,9 @@ impl Parser<'_> {
                 "an optimisation is a whole right-hand side: give it a name on a line of its own"
             }
             Kind::Star => "products are written side by side, as in `2 a`, or with `⋅`",
+            Kind::Comma | Kind::RightBrace if cases => {
+                "cases stand on lines of their own or behind `;`, and no brace closes them"
+            }
             Kind::Comma => {
                 "each declaration stands on a line of its own; between subscripts stands a comma without blanks"
             }
