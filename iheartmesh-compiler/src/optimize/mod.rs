@@ -46,6 +46,8 @@ pub struct Optimizations {
     pub fields: bool,
     /// Terms of a sum that share their elements are computed together and scattered.
     pub orbits: bool,
+    /// The entries of sparse sums of blocks get their places once per mesh, where these depend on it alone.
+    pub slots: bool,
 }
 
 impl Optimizations {
@@ -59,6 +61,7 @@ impl Optimizations {
         corners: true,
         fields: true,
         orbits: true,
+        slots: true,
     };
     /// None of them.
     pub const NONE: Self = Self {
@@ -70,11 +73,12 @@ impl Optimizations {
         corners: false,
         fields: false,
         orbits: false,
+        slots: false,
     };
 
     /// Names of the switches, in the order of the passes.
-    pub const NAMES: [&'static str; 8] = [
-        "traverse", "inline", "nonzeros", "share", "plan", "corners", "fields", "orbits",
+    pub const NAMES: [&'static str; 9] = [
+        "traverse", "inline", "nonzeros", "share", "plan", "corners", "fields", "orbits", "slots",
     ];
 
     /// Sets a switch by its name; `false` when there is none of this name.
@@ -88,6 +92,7 @@ impl Optimizations {
             "fields" => &mut self.fields,
             "nonzeros" => &mut self.nonzeros,
             "orbits" => &mut self.orbits,
+            "slots" => &mut self.slots,
             _ => return false,
         };
         *switch = on;

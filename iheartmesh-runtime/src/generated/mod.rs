@@ -13,12 +13,17 @@ mod ids;
 mod keys;
 mod linear;
 mod local;
+mod local_block;
 mod optimum;
 mod orbit;
+mod places;
 mod power;
 mod quadrature;
+mod reuse;
+mod slots;
 mod sparse;
 mod sparse_lu;
+mod spectrum;
 mod steps;
 mod table;
 mod touch;
@@ -46,11 +51,16 @@ pub use ids::{
 pub use keys::Keys;
 pub use linear::*;
 pub use local::Locals;
+pub use local_block::LocalBlock;
 pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};
 pub use orbit::{Grouped, Orbits};
+pub use places::Places;
 pub use power::power;
 pub use quadrature::integral;
+pub use reuse::Reuse;
+pub use slots::{Planned, Slots, Terms};
 pub use sparse::*;
+pub use spectrum::{Part, is_positive_semidefinite};
 pub use steps::{
     Faces, beside_in_face, closed_ring, faces_of_vertex, first_common, vertices_of_face, with_signs,
 };

@@ -49,6 +49,15 @@ impl<const N: usize> Dense<N> {
     pub fn enumerate(&self) -> impl Iterator<Item = (u32, &[u32; N])> {
         (0u32..).zip(&self.rows)
     }
+
+    /// Consecutive elements with their rows.
+    #[inline]
+    pub fn enumerate_some(
+        &self,
+        elements: std::ops::Range<usize>,
+    ) -> impl Iterator<Item = (u32, &[u32; N])> {
+        (elements.start as u32..).zip(&self.rows[elements])
+    }
 }
 
 impl<const N: usize> Rows for Dense<N> {

@@ -1,4 +1,5 @@
-//! Arrays that blocks are added to: one buffer, with loops and branches that add to it.
+//! Arrays that blocks are added to: one buffer, with loops and branches that add to it. The entries of sparse ones are collected
+//! and sorted; where their places are known beforehand, [`super::slots`] does better.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -146,7 +147,7 @@ impl Body<'_> {
     }
 
     /// Places from 0.
-    fn places(&mut self, places: &[ExprId]) -> Vec<TokenStream> {
+    pub(super) fn places(&mut self, places: &[ExprId]) -> Vec<TokenStream> {
         places
             .iter()
             .map(|place| {

@@ -7,8 +7,9 @@ use quote::{format_ident, quote};
 
 use super::Context;
 use super::place::{Part, Placement, RegionId, Roots};
+use super::slots::SlotSum;
 use crate::ir::{ExprId, Fold, Kind, Parameter, Range, VariableId};
-use crate::optimize::{Plan, Rows};
+use crate::optimize::Plan;
 use crate::types::{Atom, Number, Type};
 
 /// How a body reaches what it needs.
@@ -36,6 +37,10 @@ pub(super) struct Body<'a> {
     pub(super) variables: BTreeMap<VariableId, TokenStream>,
     /// Sizes that the arguments of the function at hand give.
     pub(super) sizes: BTreeMap<Atom, TokenStream>,
+    /// The sum of blocks with planned places that the body is.
+    pub(super) slots: Option<&'a SlotSum>,
+    /// The variable of a loop that is done in pieces: only the rounds in `range`.
+    pub(super) rounds: Option<VariableId>,
 }
 
 impl<'a> Body<'a> {
@@ -56,6 +61,8 @@ impl<'a> Body<'a> {
             calls: BTreeMap::new(),
             variables: BTreeMap::new(),
             sizes: BTreeMap::new(),
+            slots: None,
+            rounds: None,
         }
     }
 
@@ -146,6 +153,8 @@ impl<'a> Body<'a> {
             | Kind::Boundary(_)
             | Kind::Column(..)
             | Kind::Fail => true,
+            // its blocks are added where they stand
+            _ if self.slots.is_some() && self.is_assembled(e) => true,
             // a function is called where it stands
             _ if matches!(self.ty(e), Type::Function { .. }) => true,
             _ => {
@@ -212,6 +221,16 @@ impl<'a> Body<'a> {
         e: ExprId,
         step: impl FnOnce(&mut Self) -> TokenStream,
     ) -> TokenStream {
+        self.looped_or(e, step, TokenStream::new())
+    }
+
+    /// A loop that does something for each value; `otherwise` is an `else` for what its condition leaves out.
+    pub(super) fn looped_or(
+        &mut self,
+        e: ExprId,
+        step: impl FnOnce(&mut Self) -> TokenStream,
+        otherwise: TokenStream,
+    ) -> TokenStream {
         let Kind::Fold {
             variable,
             range,
@@ -238,7 +257,7 @@ impl<'a> Body<'a> {
                 let taken = self.placement.part(e, Part::Taken);
                 let statements = self.statements(taken, &[]);
                 let step = step(self);
-                quote!(#before if #condition { #statements #step })
+                quote!(#before if #condition { #statements #step } #otherwise)
             }
         };
         quote!(#locals #head { #inside })
@@ -355,95 +374,6 @@ impl<'a> Body<'a> {
             Fold::Union => {
                 let value = self.reference(body);
                 quote!(set.extend((#value).iter().cloned());)
-            }
-        }
-    }
-
-    /// `for … in …`, binding what the inside of a loop needs.
-    pub(super) fn loop_head(&mut self, variable: VariableId, range: &Range) -> TokenStream {
-        let name = self.variable_name(variable);
-        match range {
-            Range::Integers(from, to) => {
-                let (from, to) = (self.owned(*from), self.owned(*to));
-                quote!(for #name in (#from)..=(#to))
-            }
-            Range::Set(set) => match (self.kind(*set), self.ty(*set)) {
-                (Kind::AllElements(element), _) => {
-                    let n = self.context.count(*element);
-                    quote!(for #name in 0..#n as u32)
-                }
-                (_, ty) if ty.element_of_set().is_some() => {
-                    if let Some(head) = self.column_with_signs(variable, *set) {
-                        return head;
-                    }
-                    let set = self.ids(*set);
-                    quote!(for &#name in #set)
-                }
-                (_, Type::Set(item)) if is_copy(item) => {
-                    let set = self.reference(*set);
-                    quote!(for &#name in (#set).iter())
-                }
-                _ => {
-                    let set = self.reference(*set);
-                    quote!(for #name in (#set).iter())
-                }
-            },
-            Range::Rows { .. } => self.rows_head(variable),
-        }
-    }
-
-    /// A loop over the rows of a plan.
-    fn rows_head(&mut self, variable: VariableId) -> TokenStream {
-        let Some(space) = self.plan.space(variable) else {
-            panic!("bug in iheartmesh: no rows for a loop");
-        };
-        let table = table_name(variable);
-        let row = row_name(variable);
-        let name = self.variable_name(variable);
-        match space.rows {
-            Rows::Universe(element) => {
-                let n = self.context.count(element);
-                match space.columns.is_empty() {
-                    true => quote!(for #name in 0..#n as u32),
-                    false => quote!(for (#name, #row) in s.plans.#table.enumerate()),
-                }
-            }
-            Rows::Members(_) | Rows::Corners(_) => {
-                let parent = match space.parent {
-                    None => quote!(0),
-                    Some(parent) => self.row_number(parent),
-                };
-                let has_inner = self.plan.below(Some(variable)).next().is_some();
-                match has_inner {
-                    true => {
-                        let number = number_name(variable);
-                        quote!(for (#number, #row) in s.plans.#table.enumerate_rows_of(#parent))
-                    }
-                    false => self.with_slots(
-                        variable,
-                        quote!(#row),
-                        match self.plan.corners.iter().any(|c| c.of == variable) {
-                            true => quote!(s.plans.#table.few_rows_of(#parent)),
-                            false => quote!(s.plans.#table.rows_of(#parent)),
-                        },
-                        &parent,
-                    ),
-                }
-            }
-            Rows::Key(_) => panic!("bug in iheartmesh: a loop over the key of a plan"),
-        }
-    }
-
-    /// The number of the current row of a space.
-    pub(super) fn row_number(&self, variable: VariableId) -> TokenStream {
-        match self.plan.space(variable).map(|s| s.rows) {
-            Some(rows) if rows.is_several() => {
-                let number = number_name(variable);
-                quote!(#number)
-            }
-            _ => {
-                let name = self.variable_name(variable);
-                quote!(#name as usize)
             }
         }
     }

@@ -148,6 +148,22 @@ pub(super) fn global(context: &Context<'_>, global: &Global, fallible: bool) -> 
     lines(&text)
 }
 
+/// A method that writes the value of a definition.
+pub(super) fn global_into(context: &Context<'_>, global: &Global, fallible: bool) -> TokenStream {
+    let mut text = "Writes into `target` the value of\n\n".to_owned();
+    text.push_str(&code(&written(context, global.span)));
+    text.push_str(
+        "\n\nMemory of `target` is used again where its size, and of a sparse matrix its pattern, is that of the value; otherwise it \
+         becomes a new value. Nothing is kept, but what is known already is copied.\n",
+    );
+    let when = "a neighbour that the formula needs does not exist; the entries of `target` are of no use then";
+    match fallible {
+        true => text.push_str(&format!("\n# Errors\nWhen {when}.")),
+        false => text.push_str(&format!("\n# Panics\nWhen {when}.")),
+    }
+    lines(&text)
+}
+
 /// A method that sets a parameter.
 pub(super) fn setter(name: &str) -> TokenStream {
     lines(&format!(

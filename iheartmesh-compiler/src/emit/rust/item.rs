@@ -203,16 +203,21 @@ impl Context<'_> {
         let changing_starts = changing.iter().map(|id| self.cache_start(*id));
         let fixed_methods = fixed.iter().map(|id| self.cache_method(*id));
         let changing_methods = changing.iter().map(|id| self.cache_method(*id));
+        let slots = changing.iter().filter_map(|id| self.slots_field(*id));
+        let (slot_names, slot_types): (Vec<_>, Vec<_>) = slots.unzip();
         let functions: TokenStream = program.function_ids().map(|id| self.function(id)).collect();
         let compute: TokenStream = fixed
             .iter()
             .chain(&changing)
-            .map(|id| self.compute(*id))
+            .map(|id| {
+                let (compute, slots) = (self.compute(*id), self.slot_functions(*id));
+                quote!(#compute #slots)
+            })
             .collect();
         let checks = self
             .values()
             .map(|(id, input)| self.input_checks(id, input, false));
-        let state = quote!(Self { topology, sizes, plans, #(#values,)* #(#changing_starts)* });
+        let state = quote!(Self { topology, sizes, plans, #(#values,)* #(#changing_starts)* #(#slot_names: ::std::default::Default::default(),)* });
         let (state, sets) = self.with_set_checks(&state);
         let (size_names, size_values): (Vec<_>, Vec<_>) = self.size_sources().into_iter().unzip();
         quote! {
@@ -232,6 +237,7 @@ impl Context<'_> {
                 pub plans: Plans,
                 #(pub #values: #value_types,)*
                 #(#changing_fields)*
+                #(pub #slot_names: #slot_types,)*
             }
 
             impl<'a> Topology<'a> { #(#fixed_methods)* }
@@ -355,6 +361,21 @@ impl Context<'_> {
             None => {
                 let body = Body::single(self, Mode::Static, &Plan::default(), value);
                 quote!(fn #name(t: &Topology<'_>) -> rt::Fallible<#ty> { #body })
+            }
+            Some(staged) if self.slot_sums.contains_key(&id) => {
+                let filled = self.filled(staged.body);
+                let (slots, fill) = (
+                    format_ident!("slots_{}", self.global_name(id)),
+                    format_ident!("fill_{}", self.global_name(id)),
+                );
+                quote! {
+                    fn #name(s: &State<'_>) -> rt::Fallible<#ty> {
+                        let slots = #slots(s)?;
+                        let mut data = ::std::vec![0.0f64; slots.entries()];
+                        #fill(s, &slots, &mut data)?;
+                        ::std::result::Result::Ok(#filled)
+                    }
+                }
             }
             Some(staged) => {
                 let prelude = self.prelude(&[staged.body]);

@@ -22,14 +22,20 @@ impl Context<'_> {
         let (globals, functions) = self.exports();
         for id in globals {
             let global = self.program().global(id);
-            for name in self.take_names(&global.name, global.span, false, rust_names) {
+            let into = self.has_into(id);
+            let more: &[&str] = if into { &["into"] } else { &[] };
+            for name in self.take_names(&global.name, global.span, more, rust_names) {
                 code.methods.extend(self.global_methods(id, &name));
+                if into {
+                    code.methods.extend(self.methods_into(id, &name));
+                }
             }
         }
         for (name, list) in functions {
             let span = self.program().function(list[0]).span;
             let all = list.len() == 1 && self.has_all(list[0]);
-            for rust in self.take_names(&name, span, all, rust_names) {
+            let more: &[&str] = if all { &["all"] } else { &[] };
+            for rust in self.take_names(&name, span, more, rust_names) {
                 match list.as_slice() {
                     [single] => code.methods.extend(self.function_methods(*single, &rust)),
                     several => code.methods.extend(self.overload_methods(several, &rust)),
@@ -42,19 +48,20 @@ impl Context<'_> {
         code
     }
 
-    /// The Rust names of a symbol: its own, and the ASCII one of Greek letters.
+    /// The Rust names of a symbol: its own, and the ASCII one of Greek letters; `more` are the ends of names of further
+    /// methods.
     fn take_names(
         &self,
         name: &str,
         span: crate::span::Span,
-        all: bool,
+        more: &[&str],
         rust_names: &mut RustNames<'_>,
     ) -> Vec<String> {
         let rust = names::rust_name(name);
         let forms = |rust: &str| {
             let mut forms = vec![rust.to_owned(), format!("try_{rust}")];
-            if all {
-                forms.extend([format!("{rust}_all"), format!("try_{rust}_all")]);
+            for end in more {
+                forms.extend([format!("{rust}_{end}"), format!("try_{rust}_{end}")]);
             }
             forms
         };

@@ -10,6 +10,8 @@ mod block;
 mod check;
 mod docs;
 mod expr;
+mod heads;
+mod into;
 mod item;
 mod item_size;
 mod local;
@@ -23,10 +25,14 @@ mod plan;
 mod set;
 mod setter;
 mod size;
+mod slot_terms;
+mod slots;
 mod steps;
 mod tabulate;
 mod tie;
 mod types;
+
+use std::collections::BTreeMap;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -59,13 +65,15 @@ pub fn emit(
     header: &Header,
     diagnostics: &mut Diagnostics,
 ) -> TokenStream {
-    let context = Context {
+    let mut context = Context {
         staged,
         sources,
         krate: &header.krate,
         module: format_ident!("__ihm_{}", header.name),
         may_fail: crate::optimize::MayFail::of(&staged.program),
+        slot_sums: BTreeMap::new(),
     };
+    context.slot_sums = context.find_slot_sums();
     item::items(&context, header, diagnostics)
 }
 
@@ -77,6 +85,8 @@ struct Context<'a> {
     /// The private module.
     module: Ident,
     may_fail: crate::optimize::MayFail,
+    /// Sums of blocks with planned places.
+    slot_sums: BTreeMap<GlobalId, slots::SlotSum>,
 }
 
 impl Context<'_> {

@@ -40,17 +40,27 @@ impl Context<'_> {
                 .into_iter()
                 .map(|global| self.cache_name(global));
             let caches: Vec<_> = caches.collect();
+            let slots = self
+                .slot_sums
+                .iter()
+                .filter(|(_, sum)| sum.inputs.contains(&id));
+            let slots: Vec<_> = slots
+                .filter_map(|(global, _)| self.slots_field(*global))
+                .map(|(name, _)| name)
+                .collect();
             let set = match self.changing_member_checks().is_empty() {
                 true => {
-                    quote!(self.state.#field = #field; #(self.state.#caches = ::std::sync::OnceLock::new();)*)
+                    quote!(self.state.#field = #field; #(self.state.#slots = ::std::default::Default::default();)* #(self.state.#caches = ::std::sync::OnceLock::new();)*)
                 }
                 false => quote! {
                     let before = ::std::mem::replace(&mut self.state.#field, #field);
+                    #(self.state.#slots = ::std::default::Default::default();)*
                     #(self.state.#caches = ::std::sync::OnceLock::new();)*
                     if let ::std::result::Result::Err(error) = self.state.check_sets() {
                         let #field = before;
                         { use #krate::__private as rt; #updates }
                         self.state.#field = #field;
+                        #(self.state.#slots = ::std::default::Default::default();)*
                         #(self.state.#caches = ::std::sync::OnceLock::new();)*
                         return ::std::result::Result::Err(error);
                     }

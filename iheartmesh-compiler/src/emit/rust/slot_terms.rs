@@ -1,0 +1,445 @@
+//! Sparse sums of blocks with planned places, see [`super::slots`]: a function that finds the places, and one that adds
+//! the values to the entries.
+//!
+//! Both walk the same loops in the same order, so that the values of the second follow one another as the places of the
+//! first.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Context;
+use super::block::{Body, Mode};
+use super::place::{Part, RegionId, Roots};
+use super::slots::{Count, SlotSum, Step, Unit, is_in_rounds};
+use crate::ir::{Binary, Block, ExprId, GlobalId, Kind, Range, Unary};
+use crate::optimize::Plan;
+use crate::types::Type;
+
+impl Context<'_> {
+    /// The field that keeps the places of a definition.
+    pub(super) fn slots_field(&self, id: GlobalId) -> Option<(Ident, TokenStream)> {
+        let sum = self.slot_sums.get(&id)?;
+        let n = Literal::usize_unsuffixed(sum.sizes_and_keys().count());
+        Some((format_ident!("slots{}", id.0), quote!(rt::Planned<#n>)))
+    }
+
+    /// How a sum becomes a value of its type, of `slots` and `data`.
+    pub(super) fn filled(&self, e: ExprId) -> TokenStream {
+        let krate = self.krate;
+        match self.program().arena.ty(e) {
+            ty if ty.is_sparse() => quote!(slots.matrix(data)),
+            Type::Vector { .. } => quote!(#krate::nalgebra::DVector::from_vec(data)),
+            _ => {
+                quote!(#krate::nalgebra::DMatrix::from_vec(slots.rows(), slots.columns(), data))
+            }
+        }
+    }
+
+    /// The functions that find the places, and add the values to entries.
+    pub(super) fn slot_functions(&self, id: GlobalId) -> TokenStream {
+        let (Some(sum), Some(staged)) = (self.slot_sums.get(&id), self.staged.globals.get(&id))
+        else {
+            return TokenStream::new();
+        };
+        let name = self.global_name(id);
+        let (slots, fill) = (
+            format_ident!("slots_{}", name),
+            format_ident!("fill_{}", name),
+        );
+        let places = self.places_of(id, sum, &staged.plan);
+        let prelude = self.prelude(&[staged.body]);
+        let mut roots = Roots::default();
+        let region = roots.region(None, None);
+        roots.need(region, staged.body);
+        let mut body = Body::new(self, Mode::Dynamic, &staged.plan, &roots);
+        body.slots = Some(sum);
+        let statements = body.statements(RegionId(region), &[staged.body]);
+        let terms: TokenStream = sum
+            .terms
+            .iter()
+            .enumerate()
+            .map(|(k, (term, _))| {
+                let k = Literal::usize_unsuffixed(k);
+                if is_in_rounds(self, &staged.plan, *term)
+                    && let Kind::Fold { variable, .. } = self.program().arena.kind(*term)
+                {
+                    body.rounds = Some(*variable);
+                }
+                let steps = body.terms(*term);
+                body.rounds = None;
+                quote!(slots.add(#k, data, |range, terms| { #steps ::std::result::Result::Ok(()) })?;)
+            })
+            .collect();
+        let into = self.function_into(id);
+        quote! {
+            #into
+            pub fn #slots(s: &State<'_>) -> rt::Fallible<::std::sync::Arc<rt::Slots>> { #prelude #places }
+            pub fn #fill(s: &State<'_>, slots: &rt::Slots, data: &mut [f64]) -> rt::Fallible<()> {
+                #prelude
+                #statements
+                #terms
+                ::std::result::Result::Ok(())
+            }
+        }
+    }
+
+    /// The body of the function that finds the places.
+    fn places_of(&self, id: GlobalId, sum: &SlotSum, plan: &Plan) -> TokenStream {
+        let mut roots = Roots::default();
+        let outside = roots.region(None, None);
+        for size in sum.sizes_and_keys() {
+            roots.need(outside, size);
+        }
+        let terms: Vec<(ExprId, Vec<Placed<'_>>)> = sum
+            .terms
+            .iter()
+            .map(|(term, steps)| (*term, self.placed(steps, outside, &mut roots)))
+            .collect();
+        let mut body = Body::new(self, Mode::Build, plan, &roots);
+        let statements = body.statements(RegionId(outside), &[]);
+        let sizes: Vec<TokenStream> = sum.sizes_and_keys().map(|e| body.owned(e)).collect();
+        let columns = match sum.sizes.len() {
+            1 => quote!(1),
+            _ => quote!(rt::size(all[1])),
+        };
+        let places = match self.program().arena.ty(sum.terms[0].0).is_sparse() {
+            true => quote!(sparse),
+            false => quote!(dense),
+        };
+        let terms: TokenStream = terms
+            .iter()
+            .map(|(term, steps)| {
+                let end = quote!(places.end_round(););
+                let rounds = is_in_rounds(self, plan, *term);
+                let (inside, after) = match rounds {
+                    true => (end, TokenStream::new()),
+                    false => (TokenStream::new(), end),
+                };
+                let steps = body.places_of(steps, &inside);
+                quote!(places.part(); #steps #after)
+            })
+            .collect();
+        let field = format_ident!("slots{}", id.0);
+        let site = self.site_because(
+            self.program().global(id).value,
+            "a matrix with more entries than can be counted".to_owned(),
+        );
+        quote! {
+            #statements
+            let all = [#(#sizes),*];
+            s.#field.get(all, || {
+                let mut places = rt::Places::#places(rt::size(all[0]), #columns);
+                #terms
+                places.finish(#site)
+            })
+        }
+    }
+
+    /// The regions that steps are in, with what is needed in each.
+    fn placed<'a>(&self, steps: &'a [Step], region: usize, roots: &mut Roots) -> Vec<Placed<'a>> {
+        let arena = &self.program().arena;
+        let mut placed = Vec::new();
+        for step in steps {
+            placed.push(match step {
+                Step::Block { rows, columns, .. } => {
+                    for place in rows.iter().chain(columns) {
+                        roots.need(region, *place);
+                    }
+                    Placed::Block(step)
+                }
+                Step::Loop { fold, steps } => {
+                    let Kind::Fold {
+                        variable,
+                        range,
+                        condition,
+                        ..
+                    } = arena.kind(*fold)
+                    else {
+                        panic!("bug in iheartmesh: no loop");
+                    };
+                    match range {
+                        Range::Set(set) => roots.need(region, *set),
+                        Range::Integers(from, to) => {
+                            roots.need(region, *from);
+                            roots.need(region, *to);
+                        }
+                        Range::Rows { .. } => {}
+                    }
+                    let inside = roots.region(Some(region), Some(*variable));
+                    let is_dynamic = self.slot_sums_know(*fold);
+                    match condition.filter(|_| !is_dynamic) {
+                        None => Placed::Loop {
+                            fold: *fold,
+                            region: inside,
+                            taken: None,
+                            steps: self.placed(steps, inside, roots),
+                        },
+                        Some(condition) => {
+                            roots.need(inside, condition);
+                            let taken = roots.region(Some(inside), None);
+                            Placed::Loop {
+                                fold: *fold,
+                                region: inside,
+                                taken: Some((condition, taken)),
+                                steps: self.placed(steps, taken, roots),
+                            }
+                        }
+                    }
+                }
+                Step::Choice {
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    roots.need(region, *condition);
+                    let branches = [then, otherwise].map(|steps| {
+                        let inside = roots.region(Some(region), None);
+                        (inside, self.placed(steps, inside, roots))
+                    });
+                    Placed::Choice(*condition, branches)
+                }
+            });
+        }
+        placed
+    }
+
+    /// Whether the condition of a loop depends on values.
+    fn slot_sums_know(&self, fold: ExprId) -> bool {
+        let mut sums = self.slot_sums.values();
+        sums.any(|sum| sum.branches.contains_key(&fold))
+    }
+}
+
+/// A step with its regions.
+enum Placed<'a> {
+    Block(&'a Step),
+    Loop {
+        fold: ExprId,
+        region: usize,
+        taken: Option<(ExprId, usize)>,
+        steps: Vec<Placed<'a>>,
+    },
+    Choice(ExprId, [(usize, Vec<Placed<'a>>); 2]),
+}
+
+impl Body<'_> {
+    /// Statements that note the places of blocks; `last` ends each round of an outermost loop.
+    fn places_of(&mut self, steps: &[Placed<'_>], last: &TokenStream) -> TokenStream {
+        let nothing = TokenStream::new();
+        let mut code = TokenStream::new();
+        for step in steps {
+            code.extend(match step {
+                Placed::Block(step) => self.places_of_block(step),
+                Placed::Loop {
+                    fold,
+                    region,
+                    taken,
+                    steps,
+                } => {
+                    let Kind::Fold {
+                        variable, range, ..
+                    } = self.kind(*fold)
+                    else {
+                        panic!("bug in iheartmesh: no loop");
+                    };
+                    let head = self.loop_head(*variable, range);
+                    let before = self.statements(RegionId(*region), &[]);
+                    match taken {
+                        None => {
+                            let steps = self.places_of(steps, &nothing);
+                            quote!(#head { #before #steps #last })
+                        }
+                        Some((condition, taken)) => {
+                            let condition = self.owned(*condition);
+                            let statements = self.statements(RegionId(*taken), &[]);
+                            let steps = self.places_of(steps, &nothing);
+                            quote!(#head { #before if #condition { #statements #steps } #last })
+                        }
+                    }
+                }
+                Placed::Choice(condition, branches) => {
+                    let condition = self.owned(*condition);
+                    let mut branch = |(region, steps): &(usize, Vec<Placed<'_>>)| {
+                        let statements = self.statements(RegionId(*region), &[]);
+                        let steps = self.places_of(steps, &nothing);
+                        quote!({ #statements #steps })
+                    };
+                    let (then, otherwise) = (branch(&branches[0]), branch(&branches[1]));
+                    quote!(if #condition #then else #otherwise)
+                }
+            });
+        }
+        code
+    }
+
+    fn places_of_block(&mut self, step: &Step) -> TokenStream {
+        let Step::Block {
+            rows,
+            columns,
+            height,
+            width,
+        } = step
+        else {
+            panic!("bug in iheartmesh: no block");
+        };
+        let (rows, columns) = (self.places(rows), self.places(columns));
+        let (height, width) = (
+            Literal::usize_unsuffixed(*height),
+            Literal::usize_unsuffixed(*width),
+        );
+        quote! {
+            places.block(
+                (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [#(#columns),*])) })().ok(),
+                #height,
+                #width,
+            );
+        }
+    }
+
+    /// Statements that hand the values of a sum to `terms`.
+    fn terms(&mut self, e: ExprId) -> TokenStream {
+        let Some(sum) = self.slots else {
+            panic!("bug in iheartmesh: no planned sum");
+        };
+        match self.kind(e) {
+            Kind::Assemble { blocks, .. } => {
+                let site = self.context.site(e);
+                let blocks = blocks.iter().map(|block| {
+                    let value = self.reference(block.value);
+                    let pieces = self.context.pieces(block).unwrap_or(0);
+                    let pieces = Literal::usize_unsuffixed(pieces);
+                    quote!(terms.block(#value, #pieces, #site)?;)
+                });
+                blocks.collect()
+            }
+            Kind::Unary(op, a) => self.symmetric(e, *op, *a, &sum.units[&e]),
+            Kind::Binary(Binary::Multiply, k, a) => {
+                let k = self.owned(*k);
+                let steps = self.terms(*a);
+                quote!({ let (k, from) = (#k, terms.position()); #steps terms.scale(from, k); })
+            }
+            Kind::Binary(_, a, b) => {
+                let (a, b) = (self.terms(*a), self.terms(*b));
+                quote!(#a #b)
+            }
+            Kind::If(condition, a, b) => {
+                let condition = self.owned(*condition);
+                let then = self.branch(e, Part::Then, *a);
+                let otherwise = self.branch(e, Part::Else, *b);
+                match sum.branches.get(&e).filter(|branches| !branches.same) {
+                    None => quote!(if #condition { #then } else { #otherwise }),
+                    Some(branches) => {
+                        let (after, before) = (skip(branches.otherwise), skip(branches.then));
+                        quote!(if #condition { #then #after } else { #before #otherwise })
+                    }
+                }
+            }
+            Kind::Fold { body, .. } => {
+                let body = *body;
+                let otherwise = match sum.branches.get(&e) {
+                    Some(branches) => {
+                        let skip = skip(branches.then);
+                        quote!(else { #skip })
+                    }
+                    None => TokenStream::new(),
+                };
+                self.looped_or(e, |this| this.terms(body), otherwise)
+            }
+            other => panic!("bug in iheartmesh: no blocks in {other:?}"),
+        }
+    }
+
+    fn branch(&mut self, e: ExprId, part: Part, value: ExprId) -> TokenStream {
+        let region = self.placement.part(e, part);
+        let statements = self.statements(region, &[]);
+        let steps = self.terms(value);
+        quote!(#statements #steps)
+    }
+
+    /// The block of one element with its eigenvalues replaced.
+    fn symmetric(&mut self, e: ExprId, op: Unary, a: ExprId, unit: &Unit) -> TokenStream {
+        let block = self.local_block(unit, a);
+        let places = self.places(&unit.places);
+        let part = match op {
+            Unary::PositivePart => quote!(rt::Part::Positive),
+            _ => quote!(rt::Part::Absolute),
+        };
+        let site = self.context.site(e);
+        quote!(terms.symmetric(#block, [#(#places),*], #part, #site)?;)
+    }
+
+    fn local_block(&mut self, unit: &Unit, e: ExprId) -> TokenStream {
+        let [parts, height, rows] = [
+            unit.places.len(),
+            unit.height,
+            unit.places.len() * unit.height,
+        ]
+        .map(Literal::usize_unsuffixed);
+        let steps = self.local_terms(unit, e);
+        quote!({ let mut block = rt::LocalBlock::<#parts, #height, #rows>::new(); #steps block })
+    }
+
+    /// Statements that add to `block`.
+    fn local_terms(&mut self, unit: &Unit, e: ExprId) -> TokenStream {
+        match self.kind(e) {
+            Kind::Assemble { blocks, .. } => {
+                let blocks = blocks.iter().map(|block| self.add_local(unit, block));
+                blocks.collect()
+            }
+            Kind::Binary(Binary::Multiply, k, a) => {
+                let k = self.owned(*k);
+                let inner = self.local_block(unit, *a);
+                quote!({ let (k, mut inner) = (#k, #inner); inner.scale(k); block.merge(&inner); })
+            }
+            Kind::Binary(_, a, b) => {
+                let (a, b) = (self.local_terms(unit, *a), self.local_terms(unit, *b));
+                quote!(#a #b)
+            }
+            Kind::If(condition, a, b) => {
+                let condition = self.owned(*condition);
+                let branches = [(Part::Then, *a), (Part::Else, *b)].map(|(part, value)| {
+                    let region = self.placement.part(e, part);
+                    let statements = self.statements(region, &[]);
+                    let steps = self.local_terms(unit, value);
+                    quote!({ #statements #steps })
+                });
+                let [then, otherwise] = branches;
+                quote!(if #condition #then else #otherwise)
+            }
+            other => panic!("bug in iheartmesh: no blocks in {other:?}"),
+        }
+    }
+
+    fn add_local(&mut self, unit: &Unit, block: &Block) -> TokenStream {
+        let value = self.reference(block.value);
+        let known = match block.core {
+            None => quote!(block.without_core();),
+            Some(core) => {
+                let n = self.context.fixed_shape(core).map(|(n, _)| n);
+                let n = Literal::usize_unsuffixed(n.unwrap_or(0));
+                let core = self.reference(core);
+                quote!(block.with_core::<#n>(#core);)
+            }
+        };
+        let at = |places: &[ExprId]| -> Vec<Literal> {
+            let numbers = places.iter().filter_map(|place| {
+                let mut known = unit.places.iter();
+                known.position(|p| p == place)
+            });
+            numbers.map(Literal::usize_unsuffixed).collect()
+        };
+        let (rows, columns) = (at(&block.rows), at(&block.columns));
+        quote!(block.add([#(#rows),*], [#(#columns),*], #value); #known)
+    }
+}
+
+fn skip(count: Count) -> TokenStream {
+    let (values, pieces) = (
+        Literal::usize_unsuffixed(count.values),
+        Literal::usize_unsuffixed(count.pieces),
+    );
+    match count.values {
+        0 => TokenStream::new(),
+        _ => quote!(terms.skip(#values, #pieces);),
+    }
+}

@@ -1,0 +1,230 @@
+//! The places of a sum of blocks, before it has values: its pattern is made of them.
+
+use std::sync::Mutex;
+
+use rayon::prelude::*;
+
+use super::slots::{Chunk, Heights, MISSING, Slots};
+use super::{Fallible, Fault};
+
+/// About as many numbers are evaluated before they are added: they stay in the nearest cache.
+const CHUNK: usize = 2048;
+
+/// The places of blocks while they are collected.
+#[derive(Debug)]
+pub struct Places {
+    sparse: bool,
+    rows: usize,
+    columns: usize,
+    /// Row, column and height.
+    pieces: Vec<[u32; 3]>,
+    parts: Vec<Vec<Chunk>>,
+    values: usize,
+    missing: bool,
+}
+
+impl Places {
+    /// Of a sparse matrix of this size.
+    pub fn sparse(rows: usize, columns: usize) -> Self {
+        Self {
+            sparse: true,
+            ..Self::dense(rows, columns)
+        }
+    }
+
+    /// Of a vector or matrix of this size.
+    pub fn dense(rows: usize, columns: usize) -> Self {
+        Self {
+            sparse: false,
+            rows,
+            columns,
+            pieces: Vec::new(),
+            parts: Vec::new(),
+            values: 0,
+            missing: false,
+        }
+    }
+
+    /// Starts the next sum.
+    pub fn part(&mut self) {
+        self.parts.push(Vec::new());
+        self.values = 0;
+        self.missing = false;
+    }
+
+    /// Ends a round of the loop of the current sum.
+    #[inline]
+    pub fn end_round(&mut self) {
+        let Some(part) = self.parts.last_mut() else {
+            return;
+        };
+        match part.last_mut() {
+            Some(chunk) if chunk.values < CHUNK => {
+                chunk.rounds.end += 1;
+                chunk.pieces.end = self.pieces.len();
+                chunk.values += self.values;
+                chunk.missing |= self.missing;
+            }
+            last => {
+                let (round, start) = last.map_or((0, None), |c| (c.rounds.end, Some(c.pieces.end)));
+                let start = start.unwrap_or_else(|| self.before_part());
+                let chunk = Chunk {
+                    rounds: round..round + 1,
+                    pieces: start..self.pieces.len(),
+                    values: self.values,
+                    missing: self.missing,
+                };
+                if let Some(part) = self.parts.last_mut() {
+                    part.push(chunk);
+                }
+            }
+        }
+        self.values = 0;
+        self.missing = false;
+    }
+
+    /// The number of pieces before the current sum.
+    fn before_part(&self) -> usize {
+        let before = &self.parts[..self.parts.len().saturating_sub(1)];
+        let last = before.iter().rev().find_map(|part| part.last());
+        last.map_or(0, |chunk| chunk.pieces.end)
+    }
+
+    /// A block whose rows start at these places, in parts of a height, and its columns likewise, or in the first where there
+    /// are none; nothing where there is no such place.
+    pub fn block<const N: usize, const M: usize>(
+        &mut self,
+        places: Option<([usize; N], [usize; M])>,
+        height: usize,
+        width: usize,
+    ) {
+        self.values += N * height * M.max(1) * width;
+        let within = |places: &[usize], part: usize, size: usize| {
+            let end = |p: &usize| p.checked_add(1).and_then(|p| p.checked_mul(part));
+            places.iter().all(|p| end(p).is_some_and(|end| end <= size))
+        };
+        let places = places.filter(|(rows, columns)| {
+            within(rows, height, self.rows) && within(columns, width, self.columns)
+        });
+        self.missing |= places.is_none();
+        let (rows, columns) = places.unwrap_or(([0; N], [0; M]));
+        let columns = match M {
+            0 => &[0],
+            _ => &columns[..],
+        };
+        for column in columns {
+            for j in 0..width {
+                for row in rows {
+                    let row = match places {
+                        Some(_) => (row * height) as u32,
+                        None => MISSING,
+                    };
+                    let column = (column * width + j) as u32;
+                    self.pieces.push([row, column, height as u32]);
+                }
+            }
+        }
+    }
+
+    /// The pattern and the places in it.
+    ///
+    /// # Errors
+    /// When there are more entries than `u32` can count.
+    pub fn finish(self, fault: Fault) -> Fallible<Slots> {
+        let largest = MISSING as usize;
+        if self.rows >= largest || self.columns >= largest || self.pieces.len() >= largest {
+            return Err(fault);
+        }
+        if !self.sparse {
+            let entries = self.rows.checked_mul(self.columns);
+            let Some(entries) = entries.filter(|n| *n < largest) else {
+                return Err(fault);
+            };
+            let rows = self.rows as u32;
+            let slot = |[row, column, _]: &[u32; 3]| match *row {
+                MISSING => MISSING,
+                row => column * rows + row,
+            };
+            let slots = self.pieces.iter().map(slot).collect();
+            return Ok(self.with_slots(slots, entries, Vec::new(), Vec::new()));
+        }
+        let there = |piece: &&[u32; 3]| piece[0] != MISSING;
+        let mut starts = vec![0usize; self.columns + 1];
+        for [_, column, height] in self.pieces.iter().filter(there) {
+            starts[*column as usize + 1] += *height as usize;
+        }
+        for k in 0..self.columns {
+            starts[k + 1] += starts[k];
+        }
+        let mut next = starts.clone();
+        let mut found = vec![0u32; starts[self.columns]];
+        for [row, column, height] in self.pieces.iter().filter(there) {
+            for k in 0..*height {
+                let place = &mut next[*column as usize];
+                found[*place] = row + k;
+                *place += 1;
+            }
+        }
+        let mut columns = Vec::with_capacity(self.columns);
+        let mut rest = found.as_mut_slice();
+        for k in 0..self.columns {
+            let (column, after) = rest.split_at_mut(starts[k + 1] - starts[k]);
+            columns.push(column);
+            rest = after;
+        }
+        columns
+            .par_iter_mut()
+            .for_each(|column| column.sort_unstable());
+        let mut pointers = Vec::with_capacity(self.columns + 1);
+        let mut indices: Vec<usize> = Vec::new();
+        pointers.push(0);
+        for column in columns {
+            let first = indices.len();
+            for row in column {
+                let row = *row as usize;
+                if indices[first..].last() != Some(&row) {
+                    indices.push(row);
+                }
+            }
+            pointers.push(indices.len());
+        }
+        if indices.len() >= largest {
+            return Err(fault);
+        }
+        let slot = |[row, column, _]: &[u32; 3]| -> u32 {
+            let (start, end) = (pointers[*column as usize], pointers[*column as usize + 1]);
+            match indices[start..end].binary_search(&(*row as usize)) {
+                Ok(k) => (start + k) as u32,
+                Err(_) => MISSING,
+            }
+        };
+        let slots: Vec<u32> = self.pieces.par_iter().map(slot).collect();
+        let entries = indices.len();
+        Ok(self.with_slots(slots, entries, pointers, indices))
+    }
+
+    fn with_slots(
+        self,
+        slots: Vec<u32>,
+        entries: usize,
+        pointers: Vec<usize>,
+        indices: Vec<usize>,
+    ) -> Slots {
+        let height = self.pieces.first().map_or(1, |piece| piece[2]);
+        let heights = match self.pieces.iter().all(|piece| piece[2] == height) {
+            true => Heights::All(height as usize),
+            false => Heights::Each(self.pieces.iter().map(|piece| piece[2]).collect()),
+        };
+        Slots {
+            rows: self.rows,
+            columns: self.columns,
+            entries,
+            pointers,
+            indices,
+            slots,
+            heights,
+            parts: self.parts,
+            scratch: Mutex::default(),
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! Sums of blocks whose places depend on the mesh alone: the pattern and the place of each entry are found once,
+//! then values are added without sorting, searching or allocating.
+
+use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rayon::prelude::*;
+use sprs::CsMat;
+
+use super::array::Array;
+use super::local_block::LocalBlock;
+use super::{Fallible, Fault};
+
+/// Stands for a place that does not exist.
+pub(super) const MISSING: u32 = u32::MAX;
+
+/// So many chunks are evaluated at the same time; it does not depend on the number of threads.
+const BATCH: usize = 64;
+
+/// Where the entries of a sum of blocks go. Blocks come in the order of the loops; of each the columns, of each column
+/// the pieces that stay together.
+#[derive(Debug)]
+pub struct Slots {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    pub(super) entries: usize,
+    /// Where columns start in `indices`; of a dense array both are empty.
+    pub(super) pointers: Vec<usize>,
+    /// Rows, ascending in each column.
+    pub(super) indices: Vec<usize>,
+    /// Where pieces start in the entries of the matrix.
+    pub(super) slots: Vec<u32>,
+    pub(super) heights: Heights,
+    /// One for each sum: its chunks.
+    pub(super) parts: Vec<Vec<Chunk>>,
+    /// Memory for the values of chunks.
+    pub(super) scratch: Mutex<Vec<Vec<f64>>>,
+}
+
+/// How many entries are in each piece.
+#[derive(Debug)]
+pub(super) enum Heights {
+    All(usize),
+    Each(Vec<u32>),
+}
+
+/// Consecutive rounds of a loop.
+#[derive(Clone, Debug)]
+pub(super) struct Chunk {
+    pub(super) rounds: Range<usize>,
+    pub(super) pieces: Range<usize>,
+    pub(super) values: usize,
+    /// Whether some of its places do not exist.
+    pub(super) missing: bool,
+}
+
+impl Slots {
+    /// Number of entries.
+    pub fn entries(&self) -> usize {
+        self.entries
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// A sparse matrix of this pattern.
+    pub fn matrix(&self, data: Vec<f64>) -> CsMat<f64> {
+        let size = (self.rows, self.columns);
+        CsMat::new_csc(size, self.pointers.clone(), self.indices.clone(), data)
+    }
+
+    /// Whether a matrix has this pattern.
+    pub(super) fn is_pattern_of(&self, matrix: &CsMat<f64>) -> bool {
+        matrix.is_csc()
+            && matrix.shape() == (self.rows, self.columns)
+            && matrix.indices() == self.indices
+            && matrix.proper_indptr().as_ref() == self.pointers
+    }
+
+    /// Adds the values of a sum, by its number. `values` computes those of consecutive rounds.
+    ///
+    /// Whatever the number of threads, the entries get their terms in the order of the rounds.
+    ///
+    /// # Errors
+    /// The first in the order of the rounds.
+    pub fn add(
+        &self,
+        part: usize,
+        data: &mut [f64],
+        values: impl Fn(Range<usize>, &mut Terms<'_>) -> Fallible<()> + Sync,
+    ) -> Fallible<()> {
+        let chunks = self.parts.get(part).map_or(&[][..], Vec::as_slice);
+        let evaluate = |chunk: &Chunk, memory: &mut Vec<f64>| {
+            if memory.len() < chunk.values {
+                memory.resize(chunk.values, 0.0);
+            }
+            let mut terms = Terms {
+                values: &mut memory[..chunk.values],
+                slots: match chunk.missing {
+                    true => &self.slots[chunk.pieces.clone()],
+                    false => &[],
+                },
+                next: 0,
+                piece: 0,
+            };
+            values(chunk.rounds.clone(), &mut terms)
+        };
+        if chunks.len() < BATCH / 2 || rayon::current_num_threads() == 1 {
+            let mut memory = self.memory().pop().unwrap_or_default();
+            for chunk in chunks {
+                evaluate(chunk, &mut memory)?;
+                self.scatter(chunk, &memory, data);
+            }
+            self.memory().push(memory);
+            return Ok(());
+        }
+        let mut memory: Vec<Vec<f64>> = std::mem::take(&mut *self.memory());
+        memory.resize_with(BATCH.max(memory.len()), Vec::new);
+        for batch in chunks.chunks(BATCH) {
+            let done: Fallible<()> = batch
+                .par_iter()
+                .zip(&mut memory)
+                .map(|(chunk, memory)| evaluate(chunk, memory))
+                .collect::<Vec<_>>()
+                .into_iter()
+                .collect();
+            done?;
+            for (chunk, memory) in batch.iter().zip(&memory) {
+                self.scatter(chunk, memory, data);
+            }
+        }
+        *self.memory() = memory;
+        Ok(())
+    }
+
+    fn memory(&self) -> std::sync::MutexGuard<'_, Vec<Vec<f64>>> {
+        self.scratch.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn scatter(&self, chunk: &Chunk, values: &[f64], data: &mut [f64]) {
+        let slots = &self.slots[chunk.pieces.clone()];
+        match &self.heights {
+            Heights::All(1) => scatter_pieces::<1>(slots, values, data),
+            Heights::All(2) => scatter_pieces::<2>(slots, values, data),
+            Heights::All(3) => scatter_pieces::<3>(slots, values, data),
+            Heights::All(4) => scatter_pieces::<4>(slots, values, data),
+            Heights::All(height) => {
+                for (slot, piece) in slots.iter().zip(values.chunks_exact((*height).max(1))) {
+                    add_piece(data, *slot, piece);
+                }
+            }
+            Heights::Each(heights) => {
+                let mut rest = values;
+                for (slot, height) in slots.iter().zip(&heights[chunk.pieces.clone()]) {
+                    let (piece, after) = rest.split_at(*height as usize);
+                    add_piece(data, *slot, piece);
+                    rest = after;
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn scatter_pieces<const H: usize>(slots: &[u32], values: &[f64], data: &mut [f64]) {
+    for (slot, piece) in slots.iter().zip(values.as_chunks::<H>().0) {
+        let start = *slot as usize;
+        // places that do not exist have no values, see `Terms`
+        if let Some(entries) = data.get_mut(start..start + H) {
+            for (entry, value) in entries.iter_mut().zip(piece) {
+                *entry += value;
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn add_piece(data: &mut [f64], slot: u32, piece: &[f64]) {
+    let start = slot as usize;
+    if let Some(entries) = data.get_mut(start..start + piece.len()) {
+        for (entry, value) in entries.iter_mut().zip(piece) {
+            *entry += value;
+        }
+    }
+}
+
+/// The values of a chunk while they are computed.
+#[derive(Debug)]
+pub struct Terms<'a> {
+    values: &'a mut [f64],
+    /// Where some of them do not exist.
+    slots: &'a [u32],
+    next: usize,
+    piece: usize,
+}
+
+impl Terms<'_> {
+    /// A block whose columns are in so many pieces.
+    ///
+    /// # Errors
+    /// When its place does not exist.
+    #[inline(always)]
+    pub fn block(
+        &mut self,
+        value: &impl Array<Item = f64>,
+        pieces: usize,
+        fault: Fault,
+    ) -> Fallible<()> {
+        let (rows, columns) = (value.rows(), value.columns());
+        let entries = self.room(rows * columns, pieces, fault)?;
+        for (j, column) in entries.chunks_exact_mut(rows.max(1)).enumerate() {
+            for (i, entry) in column.iter_mut().enumerate() {
+                *entry = value.entry(i, j);
+            }
+        }
+        Ok(())
+    }
+
+    /// A symmetric block with its eigenvalues replaced.
+    ///
+    /// # Errors
+    /// When its place does not exist.
+    #[inline(always)]
+    pub fn symmetric<const P: usize, const H: usize, const N: usize>(
+        &mut self,
+        block: LocalBlock<P, H, N>,
+        places: [usize; P],
+        part: super::Part,
+        fault: Fault,
+    ) -> Fallible<()> {
+        let entries = self.room(N * N, P * N, fault)?;
+        block.write(places, part, entries);
+        Ok(())
+    }
+
+    /// Zeros for a branch that is not taken.
+    #[inline(always)]
+    pub fn skip(&mut self, values: usize, pieces: usize) {
+        self.values[self.next..self.next + values].fill(0.0);
+        self.next += values;
+        self.piece += pieces;
+    }
+
+    /// How many values there are so far.
+    #[inline(always)]
+    pub fn position(&self) -> usize {
+        self.next
+    }
+
+    /// Multiplies all values from a position on.
+    #[inline(always)]
+    pub fn scale(&mut self, from: usize, factor: f64) {
+        for value in &mut self.values[from..self.next] {
+            *value *= factor;
+        }
+    }
+
+    #[inline(always)]
+    fn room(&mut self, values: usize, pieces: usize, fault: Fault) -> Fallible<&mut [f64]> {
+        if !self.slots.is_empty() && self.slots[self.piece..self.piece + pieces].contains(&MISSING)
+        {
+            return Err(fault);
+        }
+        self.piece += pieces;
+        let start = self.next;
+        self.next += values;
+        Ok(&mut self.values[start..start + values])
+    }
+}
+
+/// Slots as they are kept: for the sizes that they were made for.
+#[derive(Debug)]
+pub struct Planned<const N: usize>(Mutex<Option<([i64; N], Arc<Slots>)>>);
+
+impl<const N: usize> Default for Planned<N> {
+    fn default() -> Self {
+        Self(Mutex::new(None))
+    }
+}
+
+impl<const N: usize> Planned<N> {
+    /// The slots for these sizes; made when there are none yet.
+    pub fn get(
+        &self,
+        sizes: [i64; N],
+        make: impl FnOnce() -> Fallible<Slots>,
+    ) -> Fallible<Arc<Slots>> {
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((known, slots)) = &*kept
+            && *known == sizes
+        {
+            return Ok(Arc::clone(slots));
+        }
+        let slots = Arc::new(make()?);
+        *kept = Some((sizes, Arc::clone(&slots)));
+        Ok(slots)
+    }
+}
