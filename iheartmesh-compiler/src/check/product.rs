@@ -90,23 +90,21 @@ impl<'a> Checker<'a> {
 
     pub(super) fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
-        let of_two_meshes = match (&ta, &tb) {
-            (
-                Type::Matrix {
-                    spaces: Some((_, columns)),
-                    ..
-                },
-                Type::Matrix {
-                    spaces: Some((rows, _)),
-                    ..
-                },
-            ) => columns.mesh != rows.mesh,
-            _ => false,
-        };
-        let (a, b) = match of_two_meshes {
-            true => (a, b),
-            false => (self.with_numbers(a, &tb), self.with_numbers(b, &ta)),
-        };
+        if let (
+            Type::Matrix {
+                spaces: Some((_, columns)),
+                ..
+            },
+            Type::Matrix {
+                spaces: Some((rows, _)),
+                ..
+            },
+        ) = (&ta, &tb)
+            && columns.mesh != rows.mesh
+        {
+            return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
+        }
+        let (a, b) = (self.with_numbers(a, &tb), self.with_numbers(b, &ta));
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
@@ -174,17 +172,6 @@ impl<'a> Checker<'a> {
                     return self.unsupported(sides.left.span, "this product is");
                 };
                 self.apply(boundary, b)
-            }
-            (
-                Type::Matrix {
-                    spaces: Some(_), ..
-                },
-                Type::Matrix {
-                    spaces: Some(_), ..
-                },
-            ) => {
-                // those of one mesh are numbers by now
-                self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH)
             }
             (Type::Sequence { .. }, Type::Scalar(Number::Integer) | Type::Element(_))
             | (Type::Vector { space: None, .. }, Type::Element(_))

@@ -4,7 +4,7 @@ use super::Checker;
 use super::scope::Scope;
 use super::variable::{Real, Task};
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind, Layout};
+use crate::ir::{ExprId, Kind};
 use crate::syntax::ast::Declaration;
 use crate::types::Type;
 
@@ -59,7 +59,7 @@ impl<'a> Checker<'a> {
 
     /// Where the search begins: at what stands behind `with initial`, otherwise at 0.
     fn start_value(&mut self, task: &Task<'a>, real: &Real<'a>, declared: &Type) -> Option<ExprId> {
-        let zero = self.zero(declared)?;
+        let zero = self.zeros(declared)?;
         for definition in task.initial {
             let Some(k) = definition
                 .targets
@@ -103,27 +103,5 @@ impl<'a> Checker<'a> {
             return Some(value);
         }
         Some(zero)
-    }
-
-    /// A value with zeros only.
-    fn zero(&mut self, ty: &Type) -> Option<ExprId> {
-        let zero = self.program.arena.real(0.0);
-        let sizes = match ty {
-            Type::Vector { length, .. } => vec![self.size(length)?],
-            Type::Matrix { rows, columns, .. } => vec![self.size(rows)?, self.size(columns)?],
-            Type::Sequence { item, length, .. } => {
-                let (body, size) = (self.zero(item)?, self.size(length)?);
-                let variable = self.program.arena.new_variable("i", Type::INTEGER);
-                let kind = Kind::Tabulate {
-                    layout: Layout::Sequence,
-                    variables: vec![variable],
-                    sizes: vec![size],
-                    body,
-                };
-                return Some(self.add(kind, ty.clone()));
-            }
-            _ => return Some(zero),
-        };
-        Some(self.add(Kind::Filled(zero, sizes), ty.clone()))
     }
 }

@@ -184,7 +184,7 @@ impl<'a> Checker<'a> {
     }
 
     /// A value of a type with nothing but zeros in it.
-    fn zeros(&mut self, ty: &Type) -> Option<ExprId> {
+    pub(super) fn zeros(&mut self, ty: &Type) -> Option<ExprId> {
         let zero = self.program.arena.real(0.0);
         let sizes: Vec<_> = match ty {
             Type::Scalar(Number::Real) => return Some(zero),

@@ -293,7 +293,12 @@ impl Parser<'_> {
                 Kind::Inverse => (UnaryOp::Inverse, 1),
                 Kind::PseudoInverse => (UnaryOp::PseudoInverse, 1),
                 Kind::Caret => match self.caret_sign() {
-                    Some(found) => found,
+                    Some(found) => {
+                        if self.names_t && self.ahead(1) != Kind::Top {
+                            self.warn_of_letter();
+                        }
+                        found
+                    }
                     None => {
                         base = self.raised(base, start)?;
                         continue;
@@ -339,17 +344,18 @@ impl Parser<'_> {
                 if self.ahead(2) == Kind::Underscore && self.tight(2) {
                     return None;
                 }
-                if self.names_t && self.warned_t < Some(self.at) {
-                    self.warned_t = Some(self.at);
-                    let span = self.here();
-                    let warning =
-                        Diagnostic::warning(span, "`^T` transposes, although `T` is a name");
-                    self.report(warning.help("write `ᵀ` to transpose, `^(T)` for the power"));
-                }
                 Some((UnaryOp::Transpose, 2))
             }
             _ => None,
         }
+    }
+
+    /// `^T` where `T` is a name.
+    #[cold]
+    #[inline(never)]
+    fn warn_of_letter(&mut self) {
+        let warning = Diagnostic::warning(self.here(), "`^T` transposes, although `T` is a name");
+        self.report(warning.help("write `ᵀ` to transpose, `^(T)` for the power"));
     }
 
     /// `base^exponent` or `base²`.

@@ -83,8 +83,6 @@ struct Parser<'a> {
     names_t: bool,
     diagnostics: Diagnostics,
     count: usize,
-    /// Where the last warning about `^T` stands, so that it comes once however often the place is looked at.
-    warned_t: Option<usize>,
     /// Where the text could not even be split into tokens, in order.
     damaged: Vec<Span>,
     steps: usize,
@@ -144,7 +142,6 @@ fn begin<'a>(
         names_t,
         diagnostics: Diagnostics::default(),
         count: 0,
-        warned_t: None,
         damaged,
         steps,
     };
