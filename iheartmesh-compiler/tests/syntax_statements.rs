@@ -322,7 +322,7 @@ fn imports() {
                   expression (call my_name a)
             from Bar
                Error: expected a name to import, found `from`
-               = write `names from Module(arguments)`
+               = the names stand in front, as in `sin, cos from trigonometry`
             foo from
                Error: expected the name of a module, found the end of the text
                = write `names from Module(arguments)`

@@ -2146,3 +2146,20 @@ case(
     [vector(q6), integer(1), vector(p6)],
     y=[(q6[max(0, i - 1)] + q6[i] + q6[min(5, i + 1)]) / 3 for i in range(6)],
 )
+case(
+    "blocks_with_multiples_of_identities",
+    """C = [A -I
+     -2aI Aᵀ]
+D = [A (a I); I 0]
+E = [I -I]
+F = [B -I; -aI 0]
+where
+A ∈ ℝ^(2×2)
+a ∈ ℝ
+B ∈ ℝ^(n×n) sparse""",
+    [fixed_matrix(A2), real(a), sparse(S5)],
+    C=np.block([[A2, -np.eye(2)], [-2 * a * np.eye(2), A2.T]]),
+    D=np.block([[A2, a * np.eye(2)], [np.eye(2), Z2]]),
+    E=[1, -1],
+    F=np.block([[S5, -np.eye(5)], [-a * np.eye(5), np.zeros((5, 5))]]),
+)

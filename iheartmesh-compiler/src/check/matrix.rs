@@ -1,22 +1,12 @@
 //! Vectors and matrices by their entries and blocks.
 
 use super::Checker;
-use super::operator::extents;
+use super::cell::Cell;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{ExprId, Kind, Unary};
+use crate::ir::{Binary, ExprId, Kind};
 use crate::span::Span;
-use crate::syntax::ast::{Expr, ExprKind, UnaryOp};
+use crate::syntax::ast::{Expr, ExprKind};
 use crate::types::{Dimension, Type};
-
-/// A cell of a matrix.
-enum Cell {
-    /// A block with its rows and columns.
-    Block(ExprId, Dimension, Dimension),
-    /// `0` or `1`: fills a block of any size.
-    Filling(f64),
-    /// `I` or `-I`: an identity of any size, and whether it is negated.
-    Identity(bool),
-}
 
 impl<'a> Checker<'a> {
     /// `(a, b, c)`.
@@ -159,43 +149,6 @@ impl<'a> Checker<'a> {
             return self.error();
         };
         self.fill_blocks(e, rows, cells, &heights, &widths)
-    }
-
-    fn cell(&mut self, cell: &'a Expr, is_block: bool) -> Option<Cell> {
-        match &cell.kind {
-            ExprKind::Name(name) if name.text == "I" && is_block && !self.is_bound("I") => {
-                return Some(Cell::Identity(false));
-            }
-            ExprKind::Unary {
-                op: UnaryOp::Negate,
-                operand,
-            } if matches!(&operand.kind, ExprKind::Name(name) if name.text == "I")
-                && is_block
-                && !self.is_bound("I") =>
-            {
-                return Some(Cell::Identity(true));
-            }
-            ExprKind::Integer(value @ (0 | 1)) => return Some(Cell::Filling(*value as f64)),
-            _ => {}
-        }
-        let value = self.expr(cell);
-        let ty = self.ty(value).clone();
-        if ty.is_error() {
-            return None;
-        }
-        match ty.shape().and_then(extents) {
-            Some((rows, columns)) => Some(Cell::Block(self.real(value), rows, columns)),
-            None => {
-                let given = ty.described();
-                let message = format!("{given} cannot be a block of a matrix");
-                let diagnostic = Diagnostic::error(cell.span, message)
-                    .here(format!("this is {given}"))
-                    .help("the blocks of a matrix are numbers, vectors and matrices");
-                let diagnostic = self.with_origins(diagnostic, &[cell]);
-                self.report(diagnostic);
-                None
-            }
-        }
     }
 
     pub(super) fn is_bound(&self, name: &str) -> bool {
@@ -411,7 +364,7 @@ impl<'a> Checker<'a> {
                             }
                         }
                     }
-                    Cell::Identity(negative) => {
+                    Cell::Identity(factor) => {
                         if height.differs(&width) {
                             let message =
                                 format!("an identity cannot fill a block of {height}×{width}");
@@ -424,9 +377,13 @@ impl<'a> Checker<'a> {
                             Some(n) => {
                                 let ty = filling(height, width, true);
                                 let identity = self.add(Kind::Identity(n), ty.clone());
-                                match negative {
-                                    true => self.add(Kind::Unary(Unary::Negate, identity), ty),
-                                    false => identity,
+                                match *factor {
+                                    None => identity,
+                                    Some(factor) => {
+                                        let product =
+                                            Kind::Binary(Binary::Multiply, factor, identity);
+                                        self.add(product, ty)
+                                    }
                                 }
                             }
                             None => {

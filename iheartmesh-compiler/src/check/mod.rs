@@ -8,6 +8,7 @@ mod arguments;
 mod attribute;
 mod builtin;
 mod call;
+mod cell;
 mod condition;
 mod declare;
 mod define;

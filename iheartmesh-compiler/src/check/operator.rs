@@ -130,7 +130,7 @@ impl<'a> Checker<'a> {
         self.report(diagnostic)
     }
 
-    fn negate(&mut self, value: ExprId) -> ExprId {
+    pub(super) fn negate(&mut self, value: ExprId) -> ExprId {
         let ty = self.ty(value).clone();
         match self.program.arena.kind(value) {
             Kind::Integer(v) => {

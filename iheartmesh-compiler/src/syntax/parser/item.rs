@@ -200,6 +200,12 @@ impl Parser<'_> {
     }
 
     fn import(&mut self) -> Parsed<Import> {
+        if self.kind() == Kind::From {
+            return self.expected(
+                "a name to import",
+                "the names stand in front, as in `sin, cos from trigonometry`",
+            );
+        }
         let names = match self.kind() {
             Kind::Star => {
                 self.advance();

@@ -188,11 +188,31 @@ impl Parser<'_> {
         if self.kind() != Kind::Cross {
             return Ok(first);
         }
+        self.sizes_in_parentheses(&first)?;
         let mut parts = vec![first];
         while self.eat(Kind::Cross) {
             parts.push(self.simple_type()?);
         }
         Ok(self.ty(TypeKind::Tuple(parts), start))
+    }
+
+    /// `ℝ^n×m` is meant for a matrix: a size is no type that a tuple may go on with.
+    fn sizes_in_parentheses(&mut self, first: &Type) -> Parsed<()> {
+        let is_size = match self.ahead(1) {
+            Kind::Integer(_) => true,
+            Kind::Name(id) => {
+                let word = self.texts.get(id);
+                type_word(word).is_none() && !["scalar", "vector", "matrix"].contains(&word)
+            }
+            _ => false,
+        };
+        if !is_size || !matches!(first.kind, TypeKind::Vector { .. }) {
+            return Ok(());
+        }
+        self.advance();
+        let span = first.span.to(self.here());
+        let error = Diagnostic::error(span, "the sizes of a matrix stand in parentheses");
+        self.fail(error.help("write `ℝ^(n×m)`"))
     }
 
     fn simple_type(&mut self) -> Parsed<Type> {
