@@ -67,6 +67,9 @@ impl<'a> Checker<'a> {
             );
             let help = match takes {
                 1 => "write one subscript, as in `x_i`; entries of entries take two, as in `x_i,1`",
+                2 if ty.shape().is_some() => {
+                    "`A_i,j` is an entry of a matrix, `A_i,*` a row, `A_*,j` a column; commas without blanks separate subscripts"
+                }
                 _ => "commas without blanks separate subscripts, as in `A_i,j`",
             };
             let diagnostic = Diagnostic::error(e.span, message)
