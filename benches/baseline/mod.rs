@@ -17,6 +17,7 @@ mod adjacency;
 mod edges;
 pub mod gaussian_curvature;
 pub mod mean_curvature;
+pub mod symmetric_dirichlet;
 pub mod vertex_normals;
 
 pub use adjacency::{Adjacency, Corner, Neighbour};
