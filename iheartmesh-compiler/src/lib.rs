@@ -99,6 +99,14 @@ pub fn stages(
     let program = check::check(&resolved, &mut diagnostics);
     let correct = !diagnostics.has_errors();
     let staged = correct.then(|| optimize::optimize(program.clone(), optimizations));
+    if let Some(staged) = &staged {
+        for (name, span, n) in optimize::operations::many(staged) {
+            let message = format!("`{name}` becomes {n} operations, which takes rustc long");
+            diagnostics.push(diagnostic::Diagnostic::warning(span, message).help(
+                "differentiate terms of fewer items, or by numbers that are linear in them, such as edges",
+            ));
+        }
+    }
     Stages {
         syntax: parsed.main,
         resolved,

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::types::Shape;
+use crate::types::{Shape, Type};
 
 impl<'a> Checker<'a> {
     /// `∂y/∂x`, `∂²y/∂x²`, `∂²y/∂a∂b`.
@@ -151,7 +151,12 @@ impl<'a> Checker<'a> {
             }
         };
         match result {
-            Ok(derivative) => derivative,
+            Ok(derivative) => {
+                if let [(_, a), (_, b)] = variables {
+                    self.note_dense(span, derivative, value, (*a, *b));
+                }
+                derivative
+            }
             Err(trouble) => {
                 let place = trouble.span.unwrap_or(numerator.span);
                 let mut diagnostic = Diagnostic::error(place, trouble.message).help(trouble.help);
@@ -161,5 +166,34 @@ impl<'a> Checker<'a> {
                 self.report(diagnostic)
             }
         }
+    }
+
+    /// Says that second derivatives by the items of a mesh are a dense matrix, and why.
+    fn note_dense(&mut self, span: Span, derivative: ExprId, value: ExprId, by: (ExprId, ExprId)) {
+        let ty = self.ty(derivative).clone();
+        let of_mesh =
+            |ty: &Type| matches!(ty, Type::Sequence { length, .. } if length.value().is_none());
+        let is_dense = matches!(ty.shape(), Some(Shape::Matrix(..))) && !ty.is_sparse();
+        if self.program.meshes.is_empty()
+            || !is_dense
+            || !of_mesh(self.ty(by.0))
+            || !of_mesh(self.ty(by.1))
+        {
+            return;
+        }
+        let Some(term) = derive::dense_because(&mut self.program, value, by.0, by.1) else {
+            return;
+        };
+        let mut note = Diagnostic::note(
+            span,
+            "these second derivatives are a dense matrix, since one term takes many items at once",
+        );
+        if let Some(term) = term.filter(|term| *term != span) {
+            note = note.label(term, "this is the term");
+        }
+        let note = note.help(
+            "they are sparse where what is differentiated is a sum whose terms take a few items each",
+        );
+        self.diagnostics.push(note);
     }
 }

@@ -119,27 +119,35 @@ fn entry_at(normal: &mut Normal<'_>, y: ExprId, k: ExprId) -> Result<ExprId, Tro
 
 /// Whether a number is a sum of terms each of which takes a few items of the variables.
 fn is_sum(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId]) -> bool {
+    large_term(normal, e, variables).is_none()
+}
+
+/// The first term of a sum that takes more than a few items of the variables.
+pub(super) fn large_term(
+    normal: &mut Normal<'_>,
+    e: ExprId,
+    variables: &[ExprId],
+) -> Option<ExprId> {
     if !normal.is_active(e) {
-        return true;
+        return None;
     }
     match normal.kind(e) {
-        Kind::Binary(Binary::Add | Binary::Subtract, a, b) => {
-            is_sum(normal, a, variables) && is_sum(normal, b, variables)
+        Kind::Binary(Binary::Add | Binary::Subtract, a, b) | Kind::If(_, a, b) => {
+            large_term(normal, a, variables).or_else(|| large_term(normal, b, variables))
         }
         Kind::Binary(Binary::Multiply, k, a) if !normal.is_active(k) => {
-            is_sum(normal, a, variables)
+            large_term(normal, a, variables)
         }
         Kind::Binary(Binary::Multiply | Binary::Divide, a, k) if !normal.is_active(k) => {
-            is_sum(normal, a, variables)
+            large_term(normal, a, variables)
         }
-        Kind::Unary(crate::ir::Unary::Negate, a) => is_sum(normal, a, variables),
-        Kind::If(_, a, b) => is_sum(normal, a, variables) && is_sum(normal, b, variables),
+        Kind::Unary(crate::ir::Unary::Negate, a) => large_term(normal, a, variables),
         Kind::Fold {
             op: Fold::Sum,
             body,
             ..
-        } => is_sum(normal, body, variables),
-        _ => is_local(normal, e, variables),
+        } => large_term(normal, body, variables),
+        _ => (!is_local(normal, e, variables)).then_some(e),
     }
 }
 

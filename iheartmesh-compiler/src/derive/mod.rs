@@ -112,6 +112,20 @@ pub fn second(program: &mut Program, y: ExprId, a: ExprId, b: ExprId) -> Result<
     gradient(&mut normal, slope, b)
 }
 
+/// Why the second derivatives of a number by the items of `a` and `b` are a dense matrix: the place of a term that takes
+/// all items, or many, if that is known. `None` where they are not dense because of what is differentiated.
+pub fn dense_because(
+    program: &mut Program,
+    y: ExprId,
+    a: ExprId,
+    b: ExprId,
+) -> Option<Option<Span>> {
+    let mut normal = Normal::new(program, &[a, b]);
+    let y = normal.expr(y).ok()?;
+    let term = hessian::large_term(&mut normal, y, &[a, b])?;
+    Some(normal.program.arena.origin(term))
+}
+
 /// The derivative of a number in normal form.
 fn gradient(normal: &mut Normal<'_>, y: ExprId, x: ExprId) -> Result<ExprId, Trouble> {
     let target = match normal.algebra().ty(x) {

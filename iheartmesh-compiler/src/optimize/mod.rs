@@ -12,6 +12,7 @@ mod locals;
 pub use inline::reachable;
 pub use locals::is_read_from_row;
 mod nonzeros;
+pub mod operations;
 mod orbits;
 mod plan;
 pub use plan::{MayFail, is_within, may_overflow};
