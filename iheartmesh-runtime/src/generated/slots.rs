@@ -228,9 +228,9 @@ impl Terms<'_> {
     /// # Errors
     /// When its place does not exist.
     #[inline(always)]
-    pub fn symmetric<const P: usize, const H: usize, const N: usize>(
+    pub fn symmetric<const P: usize, const H: usize, const N: usize, const M: usize>(
         &mut self,
-        block: LocalBlock<P, H, N>,
+        block: LocalBlock<P, H, N, M>,
         places: [usize; P],
         part: super::Part,
         fault: Fault,

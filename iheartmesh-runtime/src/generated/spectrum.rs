@@ -116,17 +116,29 @@ pub fn eigen<const N: usize>(matrix: &[[f64; N]; N]) -> Option<([f64; N], [[f64;
     let mut a = matrix.map(|row| row.map(|x| x / largest));
     // what is smaller changes no eigenvalue in its last digit
     let least = f64::EPSILON / 16.0;
+    // pairs in rounds as of a tournament: those of a round have no row in common, so that their rotations do not wait for
+    // each other
+    let players = N + N % 2;
     for _ in 0..MOST_SWEEPS {
         let mut settled = true;
-        for p in 0..N {
-            for q in p + 1..N {
-                let off = a[p][q];
-                if off.abs() <= least {
-                    continue;
+        for round in 0..players - 1 {
+            let mut pairs = [(0, 0, 0.0, 0.0); N];
+            let mut n = 0;
+            for k in 0..players / 2 {
+                let x = (round + k) % (players - 1);
+                let y = match k {
+                    0 => players - 1,
+                    _ => (round + players - 1 - k) % (players - 1),
+                };
+                let (p, q) = (x.min(y), x.max(y));
+                if q < N && a[p][q].abs() > least {
+                    let (cosine, sine) = rotation(a[p][p], a[q][q], a[p][q]);
+                    pairs[n] = (p, q, cosine, sine);
+                    n += 1;
                 }
-                settled = false;
-                rotate(&mut a, &mut vectors, p, q);
             }
+            settled &= n == 0;
+            rotate(&mut a, &mut vectors, &pairs[..n]);
         }
         if settled {
             break;
@@ -139,39 +151,44 @@ pub fn eigen<const N: usize>(matrix: &[[f64; N]; N]) -> Option<([f64; N], [[f64;
     Some((values, vectors))
 }
 
-/// The rotation of two rows and columns that makes the entry where they cross 0.
+/// Cosine and sine of the smaller angle that makes the entry `off` 0 between two on the diagonal.
 #[inline(always)]
-fn rotate<const N: usize>(a: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N], p: usize, q: usize) {
-    let off = a[p][q];
-    let theta = (a[q][q] - a[p][p]) / (2.0 * off);
-    let root = (theta * theta + 1.0).sqrt();
-    let tangent = match theta >= 0.0 {
-        true => 1.0 / (theta + root),
-        false => 1.0 / (theta - root),
-    };
+fn rotation(pp: f64, qq: f64, off: f64) -> (f64, f64) {
+    let (difference, twice) = (qq - pp, 2.0 * off);
+    let root = (difference * difference + twice * twice).sqrt();
+    let tangent = twice / (difference + root.copysign(difference));
     let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
-    let sine = tangent * cosine;
-    let (pp, qq) = (a[p][p] - tangent * off, a[q][q] + tangent * off);
-    let (mut row_p, mut row_q) = (a[p], a[q]);
-    for (x, y) in row_p.iter_mut().zip(&mut row_q) {
-        (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
+    (cosine, tangent * cosine)
+}
+
+/// Rotates pairs of rows and columns; no row is in two of them.
+#[inline(always)]
+fn rotate<const N: usize>(
+    a: &mut [[f64; N]; N],
+    vectors: &mut [[f64; N]; N],
+    pairs: &[(usize, usize, f64, f64)],
+) {
+    for (p, q, cosine, sine) in pairs {
+        for rows in [&mut *a, &mut *vectors] {
+            let (mut x, mut y) = (rows[*p], rows[*q]);
+            for (x, y) in x.iter_mut().zip(&mut y) {
+                (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
+            }
+            rows[*p] = x;
+            rows[*q] = y;
+        }
     }
-    row_p[p] = pp;
-    row_q[q] = qq;
-    row_p[q] = 0.0;
-    row_q[p] = 0.0;
-    a[p] = row_p;
-    a[q] = row_q;
-    for k in 0..N {
-        a[k][p] = row_p[k];
-        a[k][q] = row_q[k];
+    for row in &mut *a {
+        for (p, q, cosine, sine) in pairs {
+            let (x, y) = (row[*p], row[*q]);
+            row[*p] = cosine * x - sine * y;
+            row[*q] = sine * x + cosine * y;
+        }
     }
-    let (mut x, mut y) = (vectors[p], vectors[q]);
-    for (x, y) in x.iter_mut().zip(&mut y) {
-        (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
+    for (p, q, ..) in pairs {
+        a[*p][*q] = 0.0;
+        a[*q][*p] = 0.0;
     }
-    vectors[p] = x;
-    vectors[q] = y;
 }
 
 #[cfg(test)]

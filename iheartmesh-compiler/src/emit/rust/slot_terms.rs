@@ -369,14 +369,15 @@ impl Body<'_> {
     }
 
     fn local_block(&mut self, unit: &Unit, e: ExprId) -> TokenStream {
-        let [parts, height, rows] = [
+        let [parts, height, rows, less] = [
             unit.places.len(),
             unit.height,
             unit.places.len() * unit.height,
+            (unit.places.len() - 1) * unit.height,
         ]
         .map(Literal::usize_unsuffixed);
         let steps = self.local_terms(unit, e);
-        quote!({ let mut block = rt::LocalBlock::<#parts, #height, #rows>::new(); #steps block })
+        quote!({ let mut block = rt::LocalBlock::<#parts, #height, #rows, #less>::new(); #steps block })
     }
 
     /// Statements that add to `block`.
