@@ -7,13 +7,14 @@
 //! The program of section 4.3.1 of the paper on I♥MESH is in `gradient_descent.hlang`: an energy of two sums, its gradient by
 //! all positions, and one step against it. Noise is added to the surface, and the loop in Rust takes steps until the
 //! energy hardly falls any more. The gradient is compared with loops written by hand. Writes the last surface as
-//! `out/gradient_descent.ply`, and before and after as `.png`.
+//! `out/gradient_descent.ply`, before and after as `.png`, and `out/gradient_descent_convergence.png`, a plot.
 
 mod common;
 
 use std::error::Error;
 use std::process::ExitCode;
 
+use common::plot::write_convergence;
 use common::surface::{self, Surface, largest_difference, print_fact, print_time, say};
 use common::timing::time_best_of;
 use glam::DVec3;
@@ -68,10 +69,13 @@ fn study(surface: &Surface) -> Result<(), Box<dyn Error>> {
     };
     report(0, &descent);
     let (mut before, mut step, mut next_report) = (energy(&descent), 0, 10);
+    let (mut energies, mut gradients) = (vec![before], vec![descent.g().norm()]);
     loop {
         let x = descent.x1_star();
         descent.set_x(x)?;
         step += 1;
+        energies.push(energy(&descent));
+        gradients.push(descent.g().norm());
         if step == next_report {
             report(step, &descent);
             next_report *= 10;
@@ -90,6 +94,13 @@ fn study(surface: &Surface) -> Result<(), Box<dyn Error>> {
         descent.set_x(smooth.clone()).map(|()| descent.g())
     });
     print_time("gradient, set_x() and g()", time, clean.len());
+    let plot = format!("{}/gradient_descent_convergence.png", surface::OUTPUT);
+    write_convergence(
+        plot.as_ref(),
+        "Gradient descent with steps of 0.1",
+        &[("energy", &energies), ("gradient", &gradients)],
+    )?;
+    say!("wrote {plot}");
     write(surface, &noisy, &smooth, step)
 }
 

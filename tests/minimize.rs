@@ -10,13 +10,17 @@ use std::path::Path;
 use disk::{around_a_circle, cut, flipped, subdivided};
 use iheartmesh::glam::{DVec2, DVec3};
 use iheartmesh::solve::{Newton, Stop};
-use iheartmesh::{FaceMesh, Functions, TwiceDifferentiable, check_gradient, inverse_vec, io, vec};
+use iheartmesh::{
+    FaceMesh, Functions, TwiceDifferentiable, Vertex, check_derivatives, check_gradient,
+    inverse_vec, io, vec,
+};
 
 use support::reference_mesh::ReferenceMesh;
 
 both_ways! {
     Tutte, PlainTutte = "examples/parameterization/tutte.hlang";
     Dirichlet, PlainDirichlet = "examples/parameterization/symmetric_dirichlet.hlang";
+    Shell, PlainShell = "examples/discrete_shell.hlang";
 }
 
 /// The numbers of a table, without its first column and line.
@@ -224,4 +228,58 @@ fn parameterizations_of_the_reference_set() {
             assert!((a - b).abs() < 1e-3 * b, "{name}: {a} {b}");
         }
     }
+}
+
+/// Two triangles with a common side of length 2, one of them turned around it.
+fn hinge(angle: f64) -> [DVec3; 4] {
+    let (sin, cos) = angle.sin_cos();
+    [
+        DVec3::ZERO,
+        DVec3::new(2.0, 0.0, 0.0),
+        DVec3::new(0.5, 1.0, 0.0),
+        DVec3::new(1.0, -3.0 * cos, 3.0 * sin),
+    ]
+}
+
+#[test]
+fn a_hinge_bends_as_it_should() {
+    let mesh = FaceMesh::from_triangles(4, &[[0, 1, 2], [1, 0, 3]]).unwrap();
+    let none: [Vertex; 0] = [];
+    let (flat, angle, beta) = (hinge(0.0), 0.7, 0.3);
+    let bent = hinge(angle);
+    // lengths and areas are kept; the areas are 1 and 3
+    let expected = 3.0 * beta * angle * angle * 4.0 / 4.0;
+    let shell = Shell::new(&mesh, flat, bent, none, 5.0, beta, 0.0).unwrap();
+    let plain = PlainShell::new(&mesh, flat, bent, none, 5.0, beta, 0.0).unwrap();
+    for found in [shell.e(), plain.e()] {
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+    // the weight of 4 at the mean heights of the triangles
+    let heavy = Shell::new(&mesh, flat, bent, none, 5.0, beta, 2.0).unwrap();
+    let weight = 2.0 * (1.0 / 3.0 - 3.0 * angle.cos());
+    assert!((heavy.e() - expected - weight).abs() < 1e-12);
+
+    let held = [0, 1, 2].map(Vertex::new);
+    let mut energy = Functions {
+        state: Shell::new(&mesh, flat, bent, held, 5.0, beta, 0.0).unwrap(),
+        set: |m: &mut Shell<'_>, x: &[f64]| Ok(m.set_x(inverse_vec::<DVec3>(x)?)?),
+        energy: |m: &mut Shell<'_>| Ok(m.try_e()?),
+        gradient: |m: &mut Shell<'_>| Ok(m.try_G()?),
+        hessian: |m: &mut Shell<'_>| Ok(m.try_H()?),
+    };
+    let report = check_derivatives(&mut energy, vec(&bent).as_slice()).unwrap();
+    assert!(report.is_within(1e-8), "{report}");
+    assert_eq!(report.hessian.unwrap().entries, 144);
+    // it opens again
+    let mut energy = Functions {
+        state: energy.state,
+        set: energy.set,
+        energy: energy.energy,
+        gradient: energy.gradient,
+        hessian: |m: &mut Shell<'_>| Ok(m.try_P()?),
+    };
+    let found = newton()
+        .minimize(&mut energy, vec(&bent).as_slice())
+        .unwrap();
+    assert!(found.converged() && found.energy < 1e-8, "{found:?}");
 }

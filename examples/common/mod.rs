@@ -4,6 +4,7 @@
 #![allow(dead_code, unused_imports)]
 
 pub mod animation;
+pub mod bar;
 pub mod checkerboard;
 pub mod colour;
 pub mod disk;

@@ -9,7 +9,7 @@ use super::lettering::{Anchor, readable, write};
 const WIDTH: f32 = 1200.0;
 const HEIGHT: f32 = 600.0;
 const LEFT: f32 = 110.0;
-const RIGHT: f32 = 960.0;
+const RIGHT: f32 = 920.0;
 const TOP: f32 = 100.0;
 const BOTTOM: f32 = 530.0;
 
@@ -111,15 +111,19 @@ fn write_curves(
         };
         write(&mut pixmap, &label, beside, Anchor::Middle, 17.0, ink);
     }
-    let columns = match logarithmic {
-        true => (right as usize).clamp(1, 4),
-        false => 4,
+    // whole steps
+    let apart = match logarithmic {
+        true => (0.25 * right).ceil().max(1.0),
+        false => 0.25 * (right - left),
     };
-    for column in 0..=columns {
-        let x = left + column as f64 / columns as f64 * (right - left);
-        let (x, label) = match logarithmic {
-            true => (x.round(), format!("{x:.0}")),
-            false => (x, readable(x)),
+    for column in 0..=4 {
+        let x = left + f64::from(column) * apart;
+        if logarithmic && x > right {
+            break;
+        }
+        let label = match logarithmic {
+            true => format!("{x:.0}"),
+            false => readable(x),
         };
         let below = (place(x, low).0, BOTTOM + 28.0);
         write(&mut pixmap, &label, below, Anchor::Middle, 17.0, ink);
