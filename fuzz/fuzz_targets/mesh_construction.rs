@@ -1,10 +1,11 @@
-//! Any numbers as triangles, polygons or boundary matrices: a mesh that keeps its own rules, or an error.
+//! Any numbers as edges, triangles, polygons, tetrahedra, hexahedra, polyhedra or boundary matrices: a mesh that keeps its own
+//! rules, or an error.
 
 #![no_main]
 
 use iheartmesh_runtime::complex::CellComplex;
 use iheartmesh_runtime::sprs::CsMatI;
-use iheartmesh_runtime::{BoundaryMatrix, FaceMesh, MeshError};
+use iheartmesh_runtime::{BoundaryMatrix, CellMesh, EdgeMesh, FaceMesh, MeshError};
 use libfuzzer_sys::fuzz_target;
 
 /// Reads numbers from bytes, zeros after the end.
@@ -79,35 +80,83 @@ fn check(mesh: &FaceMesh) {
     mesh.boundary_vertices();
 }
 
-fn mesh(reader: &mut Reader) -> Result<FaceMesh, MeshError> {
+/// The same for cells, and that their surface is closed.
+fn check_cells(mesh: &CellMesh) {
+    for k in 1..3 {
+        let product = mesh.boundary(k) * mesh.boundary(k + 1);
+        assert!(product.data().iter().all(|entry| *entry == 0));
+    }
+    for cell in mesh.cells() {
+        assert!(!mesh.cell_faces(cell).is_empty() && !mesh.cell_vertices(cell).is_empty());
+    }
+    for face in mesh.faces() {
+        assert!(mesh.face_cells(face).len() <= mesh.n_cells());
+    }
+    let (boundary, faces) = mesh.boundary_mesh().expect("faces of a mesh are a mesh");
+    assert_eq!(boundary.n_faces(), faces.len());
+    assert!(mesh.n_components() <= mesh.n_vertices());
+    mesh.is_consistently_oriented();
+    mesh.euler_characteristic();
+}
+
+fn check_edges(mesh: &EdgeMesh) {
+    for edge in mesh.edges() {
+        let [tail, head] = mesh.edge_vertices(edge);
+        assert!(tail != head && mesh.vertex_edges(tail).len() > 0);
+    }
+    assert!(mesh.n_components() <= mesh.n_vertices());
+}
+
+fn polygons(reader: &mut Reader) -> Vec<Vec<u32>> {
+    let mut polygons = Vec::new();
+    while !reader.0.is_empty() {
+        let corners = reader.next() % 8;
+        polygons.push((0..corners).map(|_| reader.index()).collect());
+    }
+    polygons
+}
+
+fn lists<const N: usize>(reader: &mut Reader) -> Vec<[u32; N]> {
+    let mut lists = Vec::new();
+    while !reader.0.is_empty() {
+        lists.push(std::array::from_fn(|_| reader.index()));
+    }
+    lists
+}
+
+fn mesh(reader: &mut Reader) -> Result<(), MeshError> {
     let n_vertices = reader.next() as usize % 32;
-    match reader.next() % 3 {
-        0 => {
-            let mut triangles = Vec::new();
-            while !reader.0.is_empty() {
-                triangles.push([reader.index(), reader.index(), reader.index()]);
-            }
-            FaceMesh::from_triangles(n_vertices, &triangles)
+    match reader.next() % 8 {
+        0 => check(&FaceMesh::from_triangles(n_vertices, &lists(reader))?),
+        1 => check(&FaceMesh::from_polygons(n_vertices, &polygons(reader))?),
+        2 => check_edges(&EdgeMesh::from_edges(n_vertices, &lists(reader))?),
+        3 => check_cells(&CellMesh::from_tetrahedra(n_vertices, &lists(reader))?),
+        4 => check_cells(&CellMesh::from_hexahedra(n_vertices, &lists(reader))?),
+        5 => {
+            // some faces to each cell
+            let n_faces = reader.next() as usize % 8 + 1;
+            let faces = polygons(reader);
+            let cells: Vec<&[Vec<u32>]> = faces.chunks(n_faces).collect();
+            check_cells(&CellMesh::from_polyhedra(n_vertices, &cells)?);
         }
-        1 => {
-            let mut polygons = Vec::new();
-            while !reader.0.is_empty() {
-                let corners = reader.next() % 8;
-                polygons.push((0..corners).map(|_| reader.index()).collect::<Vec<_>>());
+        6 => {
+            let (first, second) = (reader.matrix(), reader.matrix());
+            if let Ok(mesh) = EdgeMesh::from_boundary_matrix(&first) {
+                check_edges(&mesh);
             }
-            FaceMesh::from_polygons(n_vertices, &polygons)
+            check(&FaceMesh::from_boundary_matrices(&first, &second)?);
         }
         _ => {
             let (first, second, third) = (reader.matrix(), reader.matrix(), reader.matrix());
             let _ = CellComplex::from_boundary_matrices(&[&first, &second, &third]);
-            FaceMesh::from_boundary_matrices(&first, &second)
+            check_cells(&CellMesh::from_boundary_matrices(&first, &second, &third)?);
         }
     }
+    Ok(())
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    match mesh(&mut Reader(bytes)) {
-        Ok(mesh) => check(&mesh),
-        Err(error) => drop(error.to_string()),
+    if let Err(error) = mesh(&mut Reader(bytes)) {
+        drop(error.to_string());
     }
 });

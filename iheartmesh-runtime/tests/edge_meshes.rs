@@ -248,3 +248,36 @@ fn grids_of_edges_and_of_faces_agree() {
     assert!(EdgeMesh::grid(usize::MAX, 2).is_err());
     assert!(FaceMesh::grid(1 << 17, 1 << 17).is_err());
 }
+
+/// Very many copies of few points: in time that grows with the number of points, not with its square.
+#[test]
+fn copies_of_points() {
+    let copies = |count: u32, different: u32| -> Vec<DVec3> {
+        let point = |i: u32| {
+            let k = i % different;
+            // of both zeros
+            let zero = if i % 2 == 0 { 0.0 } else { -0.0 };
+            DVec3::new(f64::from(k * k), zero, -f64::from(k))
+        };
+        (0..count).map(point).collect()
+    };
+    for (count, different) in [(40, 1), (40, 2), (60, 7), (50, 25), (30, 30)] {
+        let points = copies(count, different);
+        for k in [1, 3, 19, 20, 21, 39, 100] {
+            let mesh = EdgeMesh::from_k_nearest(&points, k).unwrap();
+            check(count, &k_nearest(&points, k), &mesh);
+        }
+        for radius in [0.0, 1.5, 10.0] {
+            let mesh = EdgeMesh::from_radius(&points, radius).unwrap();
+            check(count, &within_radius(&points, radius), &mesh);
+        }
+    }
+    // all pairs of equal points would be 10⁹
+    for different in [1, 3, 1000] {
+        let points = copies(50_000, different);
+        let mesh = EdgeMesh::from_k_nearest(&points, 6).unwrap();
+        // each of the copies is a neighbour of the first ones
+        let few = mesh.vertices().map(|v| mesh.vertex_edges(v).len()).min();
+        assert_eq!((mesh.n_vertices(), few), (50_000, Some(6)), "{different}");
+    }
+}

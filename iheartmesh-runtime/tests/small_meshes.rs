@@ -314,3 +314,13 @@ fn a_mesh_can_be_shared_between_threads() {
         "clones share their memory"
     );
 }
+
+#[test]
+fn too_many_faces_is_an_error_before_memory_is_taken() {
+    // more than 2³¹ corners; the iterator says so before it gives the first face
+    for n_faces in [1 << 30, 1 << 32, usize::MAX] {
+        let faces = std::iter::repeat_n([0_u32, 1, 2], n_faces);
+        let error = FaceMesh::from_polygons(3, faces).unwrap_err();
+        assert!(matches!(error, MeshError::TooManyCorners { .. }), "{error}");
+    }
+}

@@ -86,10 +86,12 @@ impl FaceMesh {
         I: IntoIterator,
         I::Item: AsRef<[u32]>,
     {
-        check_sizes(n_vertices, 0)?;
+        // a polygon has three corners at least
+        let faces = faces.into_iter();
+        check_sizes(n_vertices, faces.size_hint().0.saturating_mul(3))?;
         let (mut starts, mut corners) = (vec![0], Vec::new());
         let mut scratch = Vec::new();
-        for (face, polygon) in faces.into_iter().enumerate() {
+        for (face, polygon) in faces.enumerate() {
             let polygon = polygon.as_ref();
             check_sizes(n_vertices, corners.len() + polygon.len())?;
             check_face(ElementKind::Face, n_vertices, face, polygon, &mut scratch)?;

@@ -1,5 +1,7 @@
 //! Which points are neighbours.
 
+use std::cmp::Ordering;
+
 use glam::{DVec2, DVec3, DVec4};
 use kdtree::KdTree;
 use kdtree::distance::squared_euclidean;
@@ -70,41 +72,105 @@ fn scale<P: Point>(points: &[P]) -> f64 {
 
 fn scaled<P: Point>(point: P, scale: f64) -> P::Coordinates {
     let mut coordinates = point.coordinates();
-    coordinates.as_mut().iter_mut().for_each(|x| *x *= scale);
+    // adding 0 takes −0 to 0
+    let scaled = |x: &mut f64| *x = *x * scale + 0.0;
+    coordinates.as_mut().iter_mut().for_each(scaled);
     coordinates
 }
 
-/// The tree of all points, each with its number.
-fn tree<P: Point>(points: &[P], scale: f64) -> Result<Tree<P>, MeshError> {
-    check_count(ElementKind::Vertex, points.len())?;
-    let mut tree = KdTree::with_capacity(P::DIMENSION, 32);
-    for (index, point) in points.iter().enumerate() {
-        tree.add(scaled(*point, scale), index as u32)
-            .map_err(|_| MeshError::NotFinite { point: index })?;
+/// All points, those with the same coordinates together: a cloud may have very many copies of a point.
+struct Cloud<P: Point> {
+    /// The tree of different points, each with the number of its group.
+    tree: Tree<P>,
+    scale: f64,
+    /// Where the points of each group start.
+    starts: Vec<u32>,
+    /// The numbers of the points of one group after the other, ascending in each.
+    members: Vec<u32>,
+}
+
+impl<P: Point> Cloud<P> {
+    fn new(points: &[P]) -> Result<Self, MeshError> {
+        check_count(ElementKind::Vertex, points.len())?;
+        let scale = scale(points);
+        let is_finite = |point: &P| point.coordinates().as_ref().iter().all(|x| x.is_finite());
+        if let Some(point) = points.iter().position(|point| !is_finite(point)) {
+            return Err(MeshError::NotFinite { point });
+        }
+        let mut members: Vec<u32> = (0..points.len() as u32).collect();
+        let coordinates = |index: u32| scaled(points[index as usize], scale);
+        // −0 has been taken to 0
+        let order = |&a: &u32, &b: &u32| {
+            let (p, q) = (coordinates(a), coordinates(b));
+            let pairs = p.as_ref().iter().zip(q.as_ref());
+            let by_coordinates = pairs.map(|(x, y)| x.total_cmp(y));
+            by_coordinates
+                .fold(Ordering::Equal, Ordering::then)
+                .then(a.cmp(&b))
+        };
+        members.par_sort_unstable_by(order);
+        let mut starts = Vec::new();
+        let mut tree = KdTree::with_capacity(P::DIMENSION, 32);
+        for (place, &index) in members.iter().enumerate() {
+            let is_new = place
+                .checked_sub(1)
+                .is_none_or(|before| coordinates(members[before]) != coordinates(index));
+            if is_new {
+                tree.add(coordinates(index), starts.len() as u32)
+                    .map_err(|_| MeshError::NotFinite {
+                        point: index as usize,
+                    })?;
+                starts.push(place as u32);
+            }
+        }
+        starts.push(members.len() as u32);
+        Ok(Cloud {
+            tree,
+            scale,
+            starts,
+            members,
+        })
     }
-    Ok(tree)
+
+    fn group(&self, group: u32) -> &[u32] {
+        let group = group as usize;
+        &self.members[self.starts[group] as usize..self.starts[group + 1] as usize]
+    }
 }
 
 /// The pairs (smaller number first, maybe twice) of which one is among the `k` nearest of the other.
 pub(super) fn k_nearest<P: Point>(points: &[P], k: usize) -> Result<Vec<[u32; 2]>, MeshError> {
-    let scale = scale(points);
-    let tree = tree(points, scale)?;
+    let cloud = Cloud::new(points)?;
     if k == 0 {
         return Ok(Vec::new());
     }
+    // the point itself is among them, or as many others at distance 0
+    let count = k.saturating_add(1);
     let pairs_of = |index: usize| -> Vec<[u32; 2]> {
-        let point = scaled(points[index], scale);
-        // the point itself is among them, or as many others at distance 0
-        let found = tree
-            .nearest(point.as_ref(), k.saturating_add(1), &squared_euclidean)
+        let point = scaled(points[index], cloud.scale);
+        let found = cloud
+            .tree
+            .nearest(point.as_ref(), count, &squared_euclidean)
             .unwrap_or_default();
-        let farthest = found.last().map_or(0.0, |(distance, _)| *distance);
-        // all at the last distance, to choose among them by number
-        let mut others: Vec<(f64, u32)> = tree
+        let mut n_found = 0_usize;
+        let enough = found.iter().find(|(_, group)| {
+            n_found += cloud.group(**group).len();
+            n_found >= count
+        });
+        let farthest = enough
+            .or(found.last())
+            .map_or(0.0, |(distance, _)| *distance);
+        // all at the last distance, to choose among them by number; of copies only the first ones can be chosen
+        let mut others: Vec<(f64, u32)> = cloud
+            .tree
             .within(point.as_ref(), farthest, &squared_euclidean)
             .unwrap_or_default()
             .into_iter()
-            .map(|(distance, &other)| (distance, other))
+            .flat_map(|(distance, &group)| {
+                let group = cloud.group(group);
+                let first = &group[..group.len().min(count)];
+                first.iter().map(move |&other| (distance, other))
+            })
             .filter(|&(_, other)| other as usize != index)
             .collect();
         others.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -128,19 +194,21 @@ pub(super) fn within_radius<P: Point>(
     if radius.is_nan() || radius < 0.0 {
         return Err(MeshError::InvalidRadius);
     }
-    let scale = scale(points);
-    let tree = tree(points, scale)?;
-    let radius = radius * scale;
+    let cloud = Cloud::new(points)?;
+    let radius = radius * cloud.scale;
     let pairs_of = |index: usize| -> Vec<[u32; 2]> {
-        let point = scaled(points[index], scale);
+        let point = scaled(points[index], cloud.scale);
         // a little more than the square, which may be rounded; the distance decides
         let bound = radius * radius * (1.0 + 1e-12);
-        let mut pairs: Vec<[u32; 2]> = tree
+        let mut pairs: Vec<[u32; 2]> = cloud
+            .tree
             .within(point.as_ref(), bound, &squared_euclidean)
             .unwrap_or_default()
             .into_iter()
-            .filter(|(squared, other)| **other as usize > index && squared.sqrt() <= radius)
-            .map(|(_, &other)| pair(index, other))
+            .filter(|(squared, _)| squared.sqrt() <= radius)
+            .flat_map(|(_, &group)| cloud.group(group))
+            .filter(|other| **other as usize > index)
+            .map(|&other| pair(index, other))
             .collect();
         pairs.sort_unstable();
         pairs
