@@ -87,7 +87,7 @@ fn check_cells(mesh: &CellMesh) {
         assert!(product.data().iter().all(|entry| *entry == 0));
     }
     for cell in mesh.cells() {
-        assert!(!mesh.cell_faces(cell).is_empty() && !mesh.cell_vertices(cell).is_empty());
+        assert!(!mesh.cell_boundary(cell).0.is_empty() && !mesh.cell_vertices(cell).is_empty());
     }
     for face in mesh.faces() {
         assert!(mesh.face_cells(face).len() <= mesh.n_cells());
@@ -141,7 +141,7 @@ fn mesh(reader: &mut Reader) -> Result<(), MeshError> {
         }
         6 => {
             let (first, second) = (reader.matrix(), reader.matrix());
-            if let Ok(mesh) = EdgeMesh::from_boundary_matrix(&first) {
+            if let Ok(mesh) = EdgeMesh::from_boundary_matrices(&first) {
                 check_edges(&mesh);
             }
             check(&FaceMesh::from_boundary_matrices(&first, &second)?);

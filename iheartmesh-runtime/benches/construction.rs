@@ -2,11 +2,22 @@
 //! tetrahedra: all boundary matrices and their transposes.
 //!
 //! `cargo bench -p iheartmesh-runtime --bench construction [vertices along one side]`. Prints the best of several runs,
+//! for each vertex,
 //! on one thread and on all, for meshes numbered coherently and for the same numbered at random; for tetrahedra beside
 //! numbering by sorting as one would write it by hand, and the bytes of both.
+//!
+//! With files as arguments it builds the meshes of these instead, beside what one would write by hand; `construction.py` in
+//! `benches/` does the same with other libraries. `--write FILE` writes the torus.
+
+// as the benches of the facade have it
+#[path = "../../benches/baseline/edges.rs"]
+#[allow(dead_code)]
+mod edges;
 
 use std::time::Instant;
 
+use iheartmesh_runtime::glam::DVec3;
+use iheartmesh_runtime::io::{self, Attributes};
 use iheartmesh_runtime::{BoundaryMatrix, CellMesh, FaceMesh};
 
 /// Triangles of an n × n torus.
@@ -200,26 +211,92 @@ fn measure_tetrahedra(label: &str, n_vertices: usize, tetrahedra: &[[u32; 4]]) {
     measure(&format!("{label}, tetrahedra by hand"), n_vertices, build);
 }
 
-fn measure<T>(label: &str, n_vertices: usize, build: impl Fn() -> T) {
+/// No element, in lists by hand.
+const NONE: u32 = u32::MAX;
+
+/// The meshes of a file, on one thread and on all.
+fn measure_file(path: &str) {
+    let file = io::read(path).unwrap_or_else(|error| panic!("{error}"));
+    let name = path.rsplit('/').next().unwrap_or(path);
+    let n_vertices = file.positions.len();
+    for n_threads in [1, 0] {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(n_threads)
+            .build()
+            .expect("threads");
+        pool.install(|| {
+            let label = format!("{name}, {} thread(s)", pool.current_num_threads());
+            if let Some(triangles) = file.polygons.as_triangles().filter(|all| !all.is_empty()) {
+                let build = || FaceMesh::from_triangles(n_vertices, triangles).expect("a mesh");
+                measure(&format!("{label}, triangles"), triangles.len(), build);
+                let build = || edges::Edges::new(n_vertices, triangles);
+                measure(
+                    &format!("{label}, triangles by hand"),
+                    triangles.len(),
+                    build,
+                );
+            }
+            if !file.tetrahedra.is_empty() {
+                let build = || CellMesh::from_tetrahedra(n_vertices, &file.tetrahedra);
+                measure(
+                    &format!("{label}, tetrahedra"),
+                    file.tetrahedra.len(),
+                    build,
+                );
+                let build = || ByHand::new(n_vertices, &file.tetrahedra);
+                measure(
+                    &format!("{label}, tetrahedra by hand"),
+                    file.tetrahedra.len(),
+                    build,
+                );
+            }
+        });
+    }
+}
+
+/// Writes a torus of n × n vertices, somewhere in space.
+fn write_torus(n: u32, path: &str) {
+    let turn = |k: u32| DVec3::new(f64::from(k).cos(), f64::from(k).sin(), f64::from(k % 7));
+    let positions: Vec<DVec3> = (0..n * n).map(turn).collect();
+    io::write(path, &positions, &torus(n), &Attributes::new())
+        .unwrap_or_else(|error| panic!("{error}"));
+}
+
+fn measure<T>(label: &str, n_elements: usize, build: impl Fn() -> T) {
     let mut best = f64::INFINITY;
-    for _ in 0..7 {
+    let begin = Instant::now();
+    let mut rounds = 0;
+    while rounds < 7 || begin.elapsed().as_secs_f64() < 1.0 {
+        rounds += 1;
         let start = Instant::now();
         let mesh = std::hint::black_box(build());
         best = best.min(start.elapsed().as_secs_f64());
         drop(mesh);
     }
     println!(
-        "{label:<48} {:8.1} ms {:8.3} µs/vertex",
+        "{label:<56} {:10.3} ms {:8.0} ns/element",
         1e3 * best,
-        1e6 * best / n_vertices as f64
+        1e9 * best / n_elements as f64
     );
 }
 
 fn main() {
-    let side = std::env::args()
-        .skip(1)
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let side = arguments
+        .iter()
         .find_map(|argument| argument.parse().ok())
         .unwrap_or(1000);
+    let files: Vec<&String> = arguments
+        .iter()
+        .filter(|argument| !argument.starts_with("--") && argument.parse::<u32>().is_err())
+        .collect();
+    if !files.is_empty() {
+        match arguments.iter().any(|argument| argument == "--write") {
+            true => files.iter().for_each(|path| write_torus(side, path)),
+            false => files.iter().for_each(|path| measure_file(path)),
+        }
+        return;
+    }
     let n_vertices = (side * side) as usize;
     let coherent = torus(side);
     let random = shuffled(n_vertices, &coherent);

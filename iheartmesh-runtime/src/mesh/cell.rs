@@ -3,6 +3,7 @@
 use std::fmt::{self, Debug};
 use std::sync::Arc;
 
+use super::accessors::{accessors, face_accessors};
 use super::cell_faces::{self, Faces, Sides};
 use super::edge::check_count;
 use super::face::check_face;
@@ -192,119 +193,6 @@ impl CellMesh {
         }
     }
 
-    /// The boundary matrices, for code that works on meshes of any dimension.
-    #[inline]
-    pub fn complex(&self) -> &CellComplex {
-        &self.data.complex
-    }
-
-    /// Number of vertices, those without cells included.
-    #[inline]
-    pub fn n_vertices(&self) -> usize {
-        self.complex().n(0)
-    }
-
-    /// Number of edges.
-    #[inline]
-    pub fn n_edges(&self) -> usize {
-        self.complex().n(1)
-    }
-
-    /// Number of faces.
-    #[inline]
-    pub fn n_faces(&self) -> usize {
-        self.complex().n(2)
-    }
-
-    /// Number of cells.
-    #[inline]
-    pub fn n_cells(&self) -> usize {
-        self.complex().n(3)
-    }
-
-    /// All vertices in ascending order.
-    #[inline]
-    pub fn vertices(&self) -> Elements<Vertex> {
-        Elements::new(0..self.n_vertices() as u32)
-    }
-
-    /// All edges in ascending order.
-    #[inline]
-    pub fn edges(&self) -> Elements<Edge> {
-        Elements::new(0..self.n_edges() as u32)
-    }
-
-    /// All faces in ascending order.
-    #[inline]
-    pub fn faces(&self) -> Elements<Face> {
-        Elements::new(0..self.n_faces() as u32)
-    }
-
-    /// All cells in ascending order.
-    #[inline]
-    pub fn cells(&self) -> Elements<Cell> {
-        Elements::new(0..self.n_cells() as u32)
-    }
-
-    /// ∂ᵏ: k = 1 is vertices × edges, 2 is edges × faces, 3 is faces × cells. Entries −1 and +1, compressed columns.
-    ///
-    /// # Panics
-    /// Unless k is 1, 2 or 3.
-    #[inline]
-    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().boundary(k)
-    }
-
-    /// (∂ᵏ)ᵀ, as [`boundary`](Self::boundary) with rows and columns exchanged.
-    ///
-    /// # Panics
-    /// Unless k is 1, 2 or 3.
-    #[inline]
-    pub fn boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().boundary_transpose(k)
-    }
-
-    /// |∂ᵏ|, as [`boundary`](Self::boundary) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1, 2 or 3.
-    pub fn unsigned_boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().unsigned_boundary(k)
-    }
-
-    /// |∂ᵏ|ᵀ, as [`boundary_transpose`](Self::boundary_transpose) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1, 2 or 3.
-    pub fn unsigned_boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().unsigned_boundary_transpose(k)
-    }
-
-    /// Tail and head of an edge.
-    #[inline]
-    pub fn edge_vertices(&self, edge: Edge) -> [Vertex; 2] {
-        self.complex().edge_vertices(edge.index()).map(Vertex::new)
-    }
-
-    /// The edges at a vertex, ascending.
-    #[inline]
-    pub fn vertex_edges(&self, vertex: Vertex) -> ElementSlice<'_, Edge> {
-        ElementSlice::new(self.complex().coboundary_elements(1, vertex.index()))
-    }
-
-    /// The faces at an edge, ascending.
-    #[inline]
-    pub fn edge_faces(&self, edge: Edge) -> ElementSlice<'_, Face> {
-        ElementSlice::new(self.complex().coboundary_elements(2, edge.index()))
-    }
-
-    /// The edges of a face, ascending, and for each +1 if the face runs along it and −1 if against it.
-    #[inline]
-    pub fn face_boundary(&self, face: Face) -> (ElementSlice<'_, Edge>, &[i8]) {
-        let (edges, signs) = self.complex().boundary_column(2, face.index());
-        (ElementSlice::new(edges), signs)
-    }
-
     /// The vertices of a face in its cyclic order.
     #[inline]
     pub fn face_vertices(&self, face: Face) -> ElementSlice<'_, Vertex> {
@@ -369,16 +257,6 @@ impl CellMesh {
         Ok((FaceMesh::from_polygons(self.n_vertices(), polygons)?, faces))
     }
 
-    /// Number of connected components; an isolated vertex is one.
-    pub fn n_components(&self) -> usize {
-        self.complex().n_components()
-    }
-
-    /// |V| − |E| + |F| − |C|. Vertices without cells count.
-    pub fn euler_characteristic(&self) -> i64 {
-        self.complex().euler_characteristic()
-    }
-
     /// Whether every face has at most two cells, and where it has two it is seen from both sides.
     pub fn is_consistently_oriented(&self) -> bool {
         self.faces().all(|face| {
@@ -388,24 +266,17 @@ impl CellMesh {
     }
 }
 
-impl Debug for CellMesh {
-    /// The numbers of elements; the matrices would fill pages.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter
-            .debug_struct("CellMesh")
-            .field("n_vertices", &self.n_vertices())
-            .field("n_edges", &self.n_edges())
-            .field("n_faces", &self.n_faces())
-            .field("n_cells", &self.n_cells())
-            .finish_non_exhaustive()
-    }
+accessors! {
+    CellMesh, "matrices", complex: data.complex,
+    vertices: "those without cells included",
+    elements: [n_edges edges Edge 1 "edges", n_faces faces Face 2 "faces", n_cells cells Cell 3 "cells"],
+    boundary: "∂ᵏ: k = 1 is vertices × edges, 2 is edges × faces, 3 is faces × cells.",
+    transpose: "(∂ᵏ)ᵀ, as [`boundary`](Self::boundary) with rows and columns exchanged.",
+    unsigned: "|∂ᵏ|",
+    which: "k is 1, 2 or 3",
+    euler: "|V| − |E| + |F| − |C|. Vertices without cells count.",
 }
-
-impl AsRef<CellComplex> for CellMesh {
-    fn as_ref(&self) -> &CellComplex {
-        self.complex()
-    }
-}
+face_accessors!(CellMesh);
 
 pub(super) fn check_sizes(
     n_vertices: usize,

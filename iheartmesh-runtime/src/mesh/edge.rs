@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::MeshError;
+use super::accessors::accessors;
 use super::graph::{self, Point};
 use crate::boundary::{self, BoundaryMatrix, Columns, MAX_ELEMENTS};
 use crate::complex::CellComplex;
@@ -130,109 +131,17 @@ impl EdgeMesh {
         let complex = Arc::new(CellComplex::from_boundary_matrices(&[d1])?);
         Ok(EdgeMesh { complex })
     }
-
-    /// The boundary matrix, for code that works on meshes of any dimension.
-    #[inline]
-    pub fn complex(&self) -> &CellComplex {
-        &self.complex
-    }
-
-    /// Number of vertices, those without edges included.
-    #[inline]
-    pub fn n_vertices(&self) -> usize {
-        self.complex.n(0)
-    }
-
-    /// Number of edges.
-    #[inline]
-    pub fn n_edges(&self) -> usize {
-        self.complex.n(1)
-    }
-
-    /// All vertices in ascending order.
-    #[inline]
-    pub fn vertices(&self) -> Elements<Vertex> {
-        Elements::new(0..self.n_vertices() as u32)
-    }
-
-    /// All edges in ascending order.
-    #[inline]
-    pub fn edges(&self) -> Elements<Edge> {
-        Elements::new(0..self.n_edges() as u32)
-    }
-
-    /// ∂¹, vertices × edges. Entries −1 and +1, compressed columns.
-    ///
-    /// # Panics
-    /// Unless k is 1.
-    #[inline]
-    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex.boundary(k)
-    }
-
-    /// (∂¹)ᵀ, edges × vertices. Entries −1 and +1, compressed columns.
-    ///
-    /// # Panics
-    /// Unless k is 1.
-    #[inline]
-    pub fn boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex.boundary_transpose(k)
-    }
-
-    /// |∂¹|, as [`boundary`](Self::boundary) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1.
-    pub fn unsigned_boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex.unsigned_boundary(k)
-    }
-
-    /// |∂¹|ᵀ, as [`boundary_transpose`](Self::boundary_transpose) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1.
-    pub fn unsigned_boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex.unsigned_boundary_transpose(k)
-    }
-
-    /// Tail and head of an edge.
-    #[inline]
-    pub fn edge_vertices(&self, edge: Edge) -> [Vertex; 2] {
-        self.complex.edge_vertices(edge.index()).map(Vertex::new)
-    }
-
-    /// The edges at a vertex, ascending.
-    #[inline]
-    pub fn vertex_edges(&self, vertex: Vertex) -> ElementSlice<'_, Edge> {
-        ElementSlice::new(self.complex.coboundary_elements(1, vertex.index()))
-    }
-
-    /// Number of connected components; an isolated vertex is one.
-    pub fn n_components(&self) -> usize {
-        self.complex.n_components()
-    }
-
-    /// |V| − |E|.
-    pub fn euler_characteristic(&self) -> i64 {
-        self.complex.euler_characteristic()
-    }
 }
 
-impl Debug for EdgeMesh {
-    /// The numbers of elements; the matrix would fill pages.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter
-            .debug_struct("EdgeMesh")
-            .field("n_vertices", &self.n_vertices())
-            .field("n_edges", &self.n_edges())
-            .finish_non_exhaustive()
-    }
-}
-
-impl AsRef<CellComplex> for EdgeMesh {
-    fn as_ref(&self) -> &CellComplex {
-        self.complex()
-    }
+accessors! {
+    EdgeMesh, "matrix", complex: complex,
+    vertices: "those without edges included",
+    elements: [n_edges edges Edge 1 "edges"],
+    boundary: "∂¹, vertices × edges.",
+    transpose: "(∂¹)ᵀ, edges × vertices. Entries −1 and +1, compressed columns.",
+    unsigned: "|∂¹|",
+    which: "k is 1",
+    euler: "|V| − |E|.",
 }
 
 /// At most as many elements of a kind as can be numbered.

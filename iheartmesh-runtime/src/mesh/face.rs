@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::MeshError;
+use super::accessors::{accessors, face_accessors};
 use super::polygon_edges::{self, MAX_CORNERS, Polygons};
 use crate::boundary::{self, BoundaryMatrix, MAX_ELEMENTS};
 use crate::complex::CellComplex;
@@ -160,111 +161,10 @@ impl FaceMesh {
         })
     }
 
-    /// The boundary matrices, for code that works on meshes of any dimension.
-    #[inline]
-    pub fn complex(&self) -> &CellComplex {
-        &self.data.complex
-    }
-
-    /// Number of vertices, those without faces included.
-    #[inline]
-    pub fn n_vertices(&self) -> usize {
-        self.complex().n(0)
-    }
-
-    /// Number of edges.
-    #[inline]
-    pub fn n_edges(&self) -> usize {
-        self.complex().n(1)
-    }
-
-    /// Number of faces.
-    #[inline]
-    pub fn n_faces(&self) -> usize {
-        self.complex().n(2)
-    }
-
-    /// All vertices in ascending order.
-    #[inline]
-    pub fn vertices(&self) -> Elements<Vertex> {
-        Elements::new(0..self.n_vertices() as u32)
-    }
-
-    /// All edges in ascending order.
-    #[inline]
-    pub fn edges(&self) -> Elements<Edge> {
-        Elements::new(0..self.n_edges() as u32)
-    }
-
-    /// All faces in ascending order.
-    #[inline]
-    pub fn faces(&self) -> Elements<Face> {
-        Elements::new(0..self.n_faces() as u32)
-    }
-
-    /// ∂ᵏ: k = 1 is vertices × edges, k = 2 is edges × faces. Entries −1 and +1, compressed columns.
-    ///
-    /// # Panics
-    /// Unless k is 1 or 2.
-    #[inline]
-    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().boundary(k)
-    }
-
-    /// (∂ᵏ)ᵀ: k = 1 is edges × vertices, k = 2 is faces × edges. Entries −1 and +1, compressed columns.
-    ///
-    /// # Panics
-    /// Unless k is 1 or 2.
-    #[inline]
-    pub fn boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().boundary_transpose(k)
-    }
-
-    /// |∂ᵏ|, as [`boundary`](Self::boundary) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1 or 2.
-    pub fn unsigned_boundary(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().unsigned_boundary(k)
-    }
-
-    /// |∂ᵏ|ᵀ, as [`boundary_transpose`](Self::boundary_transpose) with entries 1. Made on the first call.
-    ///
-    /// # Panics
-    /// Unless k is 1 or 2.
-    pub fn unsigned_boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        self.complex().unsigned_boundary_transpose(k)
-    }
-
-    /// Tail and head of an edge.
-    #[inline]
-    pub fn edge_vertices(&self, edge: Edge) -> [Vertex; 2] {
-        self.complex().edge_vertices(edge.index()).map(Vertex::new)
-    }
-
-    /// The edges at a vertex, ascending.
-    #[inline]
-    pub fn vertex_edges(&self, vertex: Vertex) -> ElementSlice<'_, Edge> {
-        ElementSlice::new(self.complex().coboundary_elements(1, vertex.index()))
-    }
-
-    /// The faces at an edge, ascending.
-    #[inline]
-    pub fn edge_faces(&self, edge: Edge) -> ElementSlice<'_, Face> {
-        ElementSlice::new(self.complex().coboundary_elements(2, edge.index()))
-    }
-
     /// The edges of a face, ascending: not in the order in which the face runs along them.
     #[inline]
     pub fn face_edges(&self, face: Face) -> ElementSlice<'_, Edge> {
         ElementSlice::new(self.complex().boundary_elements(2, face.index()))
-    }
-
-    /// The edges of a face, ascending, and for each +1 if the face runs along it and −1 if against it.
-    #[inline]
-    pub fn face_boundary(&self, face: Face) -> (ElementSlice<'_, Edge>, &[i8]) {
-        let (edges, signs) = self.complex().boundary_column(2, face.index());
-        (ElementSlice::new(edges), signs)
     }
 
     /// The vertices of a face in its cyclic order, starting where the input did.
@@ -289,30 +189,19 @@ impl FaceMesh {
             .all_triangles
             .then(|| self.data.corners.as_chunks().0)
     }
-
-    /// |V| − |E| + |F|. Vertices without faces count.
-    pub fn euler_characteristic(&self) -> i64 {
-        self.complex().euler_characteristic()
-    }
 }
 
-impl Debug for FaceMesh {
-    /// The numbers of elements; the matrices would fill pages.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter
-            .debug_struct("FaceMesh")
-            .field("n_vertices", &self.n_vertices())
-            .field("n_edges", &self.n_edges())
-            .field("n_faces", &self.n_faces())
-            .finish_non_exhaustive()
-    }
+accessors! {
+    FaceMesh, "matrices", complex: data.complex,
+    vertices: "those without faces included",
+    elements: [n_edges edges Edge 1 "edges", n_faces faces Face 2 "faces"],
+    boundary: "∂ᵏ: k = 1 is vertices × edges, k = 2 is edges × faces.",
+    transpose: "(∂ᵏ)ᵀ: k = 1 is edges × vertices, k = 2 is faces × edges. Entries −1 and +1, compressed columns.",
+    unsigned: "|∂ᵏ|",
+    which: "k is 1 or 2",
+    euler: "|V| − |E| + |F|. Vertices without faces count.",
 }
-
-impl AsRef<CellComplex> for FaceMesh {
-    fn as_ref(&self) -> &CellComplex {
-        self.complex()
-    }
-}
+face_accessors!(FaceMesh);
 
 fn check_sizes(n_vertices: usize, n_corners: usize) -> Result<(), MeshError> {
     if n_vertices > MAX_ELEMENTS {

@@ -1,5 +1,6 @@
 //! Meshes: a [`CellComplex`](crate::complex::CellComplex) with the constructors, accessors and queries of its kind.
 
+mod accessors;
 mod cell;
 mod cell_faces;
 mod edge;

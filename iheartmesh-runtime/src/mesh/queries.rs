@@ -88,9 +88,4 @@ impl FaceMesh {
         }
         true
     }
-
-    /// Number of connected components; an isolated vertex is one.
-    pub fn n_components(&self) -> usize {
-        self.complex().n_components()
-    }
 }
