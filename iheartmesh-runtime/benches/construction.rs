@@ -1,9 +1,8 @@
 //! Time to build a `FaceMesh` of a torus of a million vertices, and a `CellMesh` of as many vertices in cubes of six
 //! tetrahedra: all boundary matrices and their transposes.
 //!
-//! `cargo bench -p iheartmesh-runtime --bench construction [vertices along one side]`. Prints the best of several runs,
-//! for each vertex,
-//! on one thread and on all, for meshes numbered coherently and for the same numbered at random; for tetrahedra beside
+//! `cargo bench -p iheartmesh-runtime --bench construction [vertices along one side]`. Prints the best of several runs
+//! for each vertex, on one thread and on all, for meshes numbered coherently and for the same numbered at random; for tetrahedra beside
 //! numbering by sorting as one would write it by hand, and the bytes of both.
 //!
 //! With files as arguments it builds the meshes of these instead, beside what one would write by hand; `construction.py` in

@@ -216,3 +216,13 @@ fn vtk_files_of_other_programs() {
         );
     }
 }
+
+/// Found by fuzzing: what is called a colour may have one or two parts.
+#[test]
+fn colours_of_two_parts_are_scalars() {
+    let text = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\n\
+                COLOR_SCALARS a 2\n0.5 0.25\nCOLOR_SCALARS b 4\n0.2 0.4 1 1\n";
+    let file = read("a.vtk", text);
+    assert_eq!(file.attributes.scalar(Vertex, "a_1"), Some(&[0.25][..]));
+    assert_eq!(file.attributes.colors(Vertex), Some(&[[51, 102, 255]][..]));
+}

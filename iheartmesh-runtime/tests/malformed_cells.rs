@@ -148,3 +148,16 @@ fn malformed_matrices() {
     let error = from(two.boundary(1), &both.to_csc(), &no_cells);
     assert_eq!(error, MeshError::NotAPolygon { face: 0 });
 }
+
+/// Found by fuzzing: a column of ∂³ without entries is no cell.
+#[test]
+fn cells_need_sides_in_matrices_too() {
+    let mesh = CellMesh::from_tetrahedra(4, &[[0, 1, 2, 3]]).unwrap();
+    let (d1, d2) = (mesh.boundary(1), mesh.boundary(2));
+    let empty = iheartmesh_runtime::sprs::CsMatI::new_csc((4, 1), vec![0_u32, 0], vec![], vec![]);
+    assert_eq!(
+        CellMesh::from_boundary_matrices(d1, d2, &empty).unwrap_err(),
+        MeshError::TooFewSides { cell: 0, sides: 0 }
+    );
+    assert!(CellMesh::from_boundary_matrices(d1, d2, mesh.boundary(3)).is_ok());
+}

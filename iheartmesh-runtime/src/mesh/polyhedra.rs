@@ -107,7 +107,8 @@ impl CellMesh {
     /// ∂² (edges × faces), `d3` is ∂³ (faces × cells). All numbers and orientations are those of the matrices.
     ///
     /// # Errors
-    /// Those of [`FaceMesh::from_boundary_matrices`](crate::FaceMesh::from_boundary_matrices).
+    /// Those of [`FaceMesh::from_boundary_matrices`](crate::FaceMesh::from_boundary_matrices), and
+    /// [`MeshError::TooFewSides`] if a column of ∂³ has fewer than four entries.
     pub fn from_boundary_matrices(
         d1: &BoundaryMatrix,
         d2: &BoundaryMatrix,
@@ -122,6 +123,10 @@ impl CellMesh {
         }
         let (mut cell_starts, mut cell_corners) = (vec![0], Vec::new());
         for cell in 0..complex.n(3) {
+            let sides = complex.boundary_elements(3, cell).len();
+            if sides < 4 {
+                return Err(MeshError::TooFewSides { cell, sides });
+            }
             let mut vertices: Vec<u32> = complex
                 .boundary_elements(3, cell)
                 .iter()

@@ -333,13 +333,14 @@ impl Reader<'_> {
         };
         if keyword == "COLOR_SCALARS" {
             let values = self.numbers(count, n_components, Scalar::U8)?;
-            let factor = if self.encoding == Encoding::Text {
-                255.0
-            } else {
-                1.0
+            // a colour has three parts, and perhaps an opacity
+            let is_color = n_components >= 3;
+            let factor = match self.encoding {
+                Encoding::Text if is_color => 255.0,
+                _ => 1.0,
             };
             let values: Vec<f64> = values.iter().map(|value| value * factor).collect();
-            self.keep(&name, &values, n_components as usize, true)?;
+            self.keep(&name, &values, n_components as usize, is_color)?;
             return Ok(());
         }
         let scalar = self.scalar()?;
