@@ -256,7 +256,7 @@ fn copies_of_points() {
         let point = |i: u32| {
             let k = i % different;
             // of both zeros
-            let zero = if i % 2 == 0 { 0.0 } else { -0.0 };
+            let zero = if i.is_multiple_of(2) { 0.0 } else { -0.0 };
             DVec3::new(f64::from(k * k), zero, -f64::from(k))
         };
         (0..count).map(point).collect()
