@@ -140,7 +140,7 @@ for_both! {
         assert_eq!(module.B(), &a + DMatrix::identity(3, 3));
         assert_eq!(module.c(), DVector::zeros(3));
         assert_eq!(module.d(), dvector![1.0, 1.0, 1.0]);
-        assert_eq!(module.f(&none[..], &dmatrix![2.0, 1.0; 1.0, 2.0]), dvector![2.0, 1.0]);
+        assert_eq!(module.f(&none[..], dmatrix![2.0, 1.0; 1.0, 2.0]), dvector![2.0, 1.0]);
         module.set_x(vec![dvector![1.0, 2.0, 3.0]]).expect("the same size");
         assert_eq!(module.c(), dvector![1.0, 2.0, 3.0]);
         assert_eq!(module.d(), dvector![2.0, 3.0, 4.0]);

@@ -176,7 +176,7 @@ for_both! {
                 let error = m.try_row(k).expect_err("no such row").to_string();
                 assert!(error.contains("the matrix has no such entry in `W_kj`"), "{error}");
             }
-            let error = Sums::new(sparse(&w), &x, &u, &p[..3]).err().expect("too short");
+            let error = Sums::new(sparse(&w), &x, &u, &p[..3]).expect_err("too short");
             assert_eq!(
                 error.to_string(),
                 "the length of `p` is 3 but the number of columns of `W` is 4: the index `j` runs over both"

@@ -5,6 +5,10 @@
     deprecated,
     reason = "a program that is warned about, since `T` is a name in it"
 )]
+#![allow(
+    clippy::approx_constant,
+    reason = "values are written as they were computed"
+)]
 #![allow(uncommon_codepoints, reason = "the Greek letters of a program")]
 
 use iheartmesh::Set;
