@@ -237,13 +237,13 @@ fn declarations() {
               |
               = help: the item goes on over the line break before this; is that line complete?
 
-            error: unknown name `ij`
+            error: unknown subscript `ij`
              --> test.hlang:3:3
               |
             3 | z_ij ∈ ℝ
               |   ^^
               |
-              = help: declare it, or separate the letters to multiply them
+              = help: letters are indices where each stands on the left side as well, as in `y_ij = …`, or below a sum, as in `∑_i ∑_j`
 
             error: expected a type, found `3`
              --> test.hlang:4:5

@@ -95,8 +95,8 @@ fn identifiers() {
            Error: unexpected character `'`
            = a prime is part of a name only in back-ticks, as in `x'` between back-ticks
         'ab'
-           Error: unexpected character `'`
-           = a prime is part of a name only in back-ticks, as in `x'` between back-ticks
+           Error: text in quotes means nothing in the language
+           = values are numbers, sets and meshes; a description of a parameter follows a colon, as in `x ∈ ℝ: the width`
         a_b + ab_c
            => expression (+ a[b] ab[c])
         xy

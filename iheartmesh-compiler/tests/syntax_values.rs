@@ -182,8 +182,8 @@ fn subscripts() {
             A_i1
                => expression A[i 1]
             A_ij
-               Error: unknown name `ij`
-               = declare it, or separate the letters to multiply them
+               Error: unknown subscript `ij`
+               = letters are indices where each stands on the left side as well, as in `y_ij = …`, or below a sum, as in `∑_i ∑_j`
             A_1,*
                => expression A[1 *]
             A_(n+1,2)

@@ -109,6 +109,18 @@ impl<'a> Checker<'a> {
         variable: VariableId,
         name: &Name,
     ) -> Option<(Dimension, ExprId)> {
+        let help =
+            "its range follows from what it indexes; otherwise write `∑_(i ∈ S)` or `∑_(i = 1)^n`";
+        self.index_range_or(variable, name, help)
+    }
+
+    /// [`Self::index_range`], with the help for an index that indexes nothing.
+    fn index_range_or(
+        &mut self,
+        variable: VariableId,
+        name: &Name,
+        help: &str,
+    ) -> Option<(Dimension, ExprId)> {
         let uses = self.index_uses.remove(&variable).unwrap_or_default();
         // a size that depends on an index inside of this one is not known outside
         let known = |checker: &Self, u: &IndexUse| {
@@ -123,8 +135,11 @@ impl<'a> Checker<'a> {
             .cloned()
         else {
             self.report(
-                Diagnostic::error(name.span, format!("index `{}` is not used as a subscript", name.text))
-                    .help("its range follows from what it indexes; otherwise write `∑_(i ∈ S)` or `∑_(i = 1)^n`"),
+                Diagnostic::error(
+                    name.span,
+                    format!("index `{}` is not used as a subscript", name.text),
+                )
+                .help(help),
             );
             return None;
         };
@@ -279,7 +294,9 @@ impl<'a> Checker<'a> {
                 ranges.push((dimension, size));
                 continue;
             }
-            match self.index_range(*variable, name) {
+            let help = "its range follows from what it indexes on the right side; where it indexes nothing, \
+                        declare the left side, as in `y ∈ ℝ^3`";
+            match self.index_range_or(*variable, name, help) {
                 Some(range) => ranges.push(range),
                 None => failed = true,
             }

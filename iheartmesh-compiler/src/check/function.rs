@@ -395,5 +395,6 @@ impl<'a> Checker<'a> {
 /// Whether a function binds a name inside of its body.
 fn is_bound(function: &ast::Function, name: &str) -> bool {
     let bound = walk_function(function, &mut |_| {});
-    bound.iter().any(|other| other.text == name)
+    let mut binders = bound.binders.iter();
+    binders.any(|other| other.text == name)
 }

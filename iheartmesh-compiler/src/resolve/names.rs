@@ -11,6 +11,8 @@ pub struct FreeNames<'a> {
     found: &'a mut dyn FnMut(&Name),
     /// All names that were bound on the way.
     pub binders: Vec<Name>,
+    /// The names that stand alone as subscripts and are not bound there.
+    pub indices: Vec<Name>,
 }
 
 impl<'a> FreeNames<'a> {
@@ -20,6 +22,7 @@ impl<'a> FreeNames<'a> {
             bound,
             found,
             binders: Vec::new(),
+            indices: Vec::new(),
         }
     }
 
@@ -40,6 +43,11 @@ impl<'a> FreeNames<'a> {
     fn subscripts(&mut self, subscripts: &[Subscript]) {
         for subscript in subscripts {
             if let Subscript::Expr(e) = subscript {
+                if let ExprKind::Name(name) = &e.kind
+                    && !self.bound.contains(&name.text)
+                {
+                    self.indices.push(name.clone());
+                }
                 self.expr(e);
             }
         }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::symbols::{item_span, walk_definition, walk_function};
+use super::symbols::{Walked, item_span, walk_definition, walk_function};
 use super::{Meaning, Module};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::syntax::ast::{ItemKind, Name};
@@ -34,7 +34,7 @@ pub fn order(module: &Module, diagnostics: &mut Diagnostics) -> Vec<usize> {
             ItemKind::Definition(d) => walk_definition(d, &mut found),
             ItemKind::Expression(e) => {
                 super::names::FreeNames::new(Vec::new(), &mut found).expr(e);
-                Vec::new()
+                Walked::default()
             }
             ItemKind::Import(_) | ItemKind::Parameters(_) => continue,
         };

@@ -294,8 +294,26 @@ pub fn defined_by_entries(syntax: &ast::Module) -> BTreeSet<String> {
     names
 }
 
-/// Walks the names that a function uses from outside; gives those that are bound inside.
-pub fn walk_function(f: &Function, found: &mut dyn FnMut(&Name)) -> Vec<Name> {
+/// What a walk over an item finds besides the names that it uses.
+#[derive(Default)]
+pub struct Walked {
+    /// The names that are bound inside.
+    pub binders: Vec<Name>,
+    /// The names that stand alone as subscripts without being bound there.
+    pub indices: Vec<Name>,
+}
+
+impl From<FreeNames<'_>> for Walked {
+    fn from(walk: FreeNames<'_>) -> Self {
+        Self {
+            binders: walk.binders,
+            indices: walk.indices,
+        }
+    }
+}
+
+/// Walks the names that a function uses from outside.
+pub fn walk_function(f: &Function, found: &mut dyn FnMut(&Name)) -> Walked {
     let mut bound: Vec<String> = f.subscripts.iter().map(|n| n.text.clone()).collect();
     bound.extend(f.parameters.iter().flatten().map(|n| n.text.clone()));
     for d in &f.declarations {
@@ -306,11 +324,11 @@ pub fn walk_function(f: &Function, found: &mut dyn FnMut(&Name)) -> Vec<Name> {
     let mut walk = FreeNames::new(bound, found);
     f.declarations.iter().for_each(|d| walk.declaration(d));
     walk.locals(&f.locals, |walk| walk.expr(&f.body));
-    walk.binders
+    walk.into()
 }
 
-/// Walks the names that a definition uses from outside; gives those that are bound inside.
-pub fn walk_definition(d: &Definition, found: &mut dyn FnMut(&Name)) -> Vec<Name> {
+/// Walks the names that a definition uses from outside.
+pub fn walk_definition(d: &Definition, found: &mut dyn FnMut(&Name)) -> Walked {
     let bound = left_indices(d)
         .into_iter()
         .map(|n| n.text.clone())
@@ -318,7 +336,7 @@ pub fn walk_definition(d: &Definition, found: &mut dyn FnMut(&Name)) -> Vec<Name
     let mut walk = FreeNames::new(bound, found);
     walk.left_entries(d);
     walk.expr(&d.value);
-    walk.binders
+    walk.into()
 }
 
 /// `1 argument`, `2 arguments`.

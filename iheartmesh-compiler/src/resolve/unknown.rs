@@ -1,10 +1,10 @@
 //! Names that stand for nothing: one message for each, however often it is used.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Module;
-use super::names::FreeNames;
-use super::symbols::{walk_definition, walk_function};
+use super::names::{FreeNames, left_indices};
+use super::symbols::{Walked, walk_definition, walk_function};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::span::Span;
 use crate::syntax::ast::{Declaration, ItemKind, Name, Type, TypeKind};
@@ -22,8 +22,7 @@ struct Unknown {
 /// Reports every name that is not bound.
 pub(super) fn check_names(module: &Module, diagnostics: &mut Diagnostics) {
     let mut unknown: Vec<Unknown> = Vec::new();
-    // for each item the names that are bound inside of it
-    let mut binders: Vec<Vec<Name>> = Vec::new();
+    let mut walks: Vec<Walked> = Vec::new();
     let mut types = BTreeSet::new();
     for (item, syntax) in module.syntax.items.iter().enumerate() {
         let mut found = |name: &Name| {
@@ -39,13 +38,13 @@ pub(super) fn check_names(module: &Module, diagnostics: &mut Diagnostics) {
                 }),
             }
         };
-        binders.push(match &syntax.kind {
-            ItemKind::Import(_) => Vec::new(),
+        walks.push(match &syntax.kind {
+            ItemKind::Import(_) => Walked::default(),
             ItemKind::Parameters(block) => {
                 type_names(block, &mut types);
                 let mut walk = FreeNames::new(Vec::new(), &mut found);
                 block.iter().for_each(|d| walk.declaration(d));
-                walk.binders
+                walk.into()
             }
             ItemKind::Function(f) => {
                 type_names(&f.declarations, &mut types);
@@ -55,7 +54,7 @@ pub(super) fn check_names(module: &Module, diagnostics: &mut Diagnostics) {
             ItemKind::Expression(e) => {
                 let mut walk = FreeNames::new(Vec::new(), &mut found);
                 walk.expr(e);
-                walk.binders
+                walk.into()
             }
         });
     }
@@ -68,10 +67,26 @@ pub(super) fn check_names(module: &Module, diagnostics: &mut Diagnostics) {
     unknown.retain(|unknown| {
         !misread.contains(&unknown.item) || look_alike(&unknown.name.text).is_some()
     });
+    // indices of one item that nothing runs through have one cause
+    let mut first_indices: BTreeMap<usize, Vec<Name>> = BTreeMap::new();
+    unknown.retain(|unknown| {
+        if !is_loose_index(module, &walks, unknown) {
+            return true;
+        }
+        let indices = first_indices.entry(unknown.item).or_default();
+        indices.push(unknown.name.clone());
+        indices.len() == 1
+    });
     for unknown in &unknown {
+        if let Some(indices) = first_indices.get(&unknown.item)
+            && indices[0].text == unknown.name.text
+        {
+            diagnostics.push(loose_indices(module, unknown.item, indices));
+            continue;
+        }
         let diagnostic = match types.contains(&unknown.name.span) {
             true => unknown_type(module, unknown),
-            false => unknown_value(module, &binders, unknown),
+            false => unknown_value(module, &walks, unknown),
         };
         diagnostics.push(match unknown.uses {
             1 => diagnostic,
@@ -101,22 +116,22 @@ fn unknown_type(module: &Module, unknown: &Unknown) -> Diagnostic {
     Diagnostic::error(name.span, message).help(help)
 }
 
-fn unknown_value(module: &Module, binders: &[Vec<Name>], unknown: &Unknown) -> Diagnostic {
+fn unknown_value(module: &Module, walks: &[Walked], unknown: &Unknown) -> Diagnostic {
     let name = &unknown.name;
     let text = &name.text;
     let diagnostic = Diagnostic::error(name.span, format!("unknown name `{text}`"));
     if let Some(help) = look_alike_help(text) {
         return diagnostic.help(help);
     }
-    if let Some(binder) = binders[unknown.item].iter().find(|b| b.text == *text) {
+    if let Some(binder) = walks[unknown.item].binders.iter().find(|b| b.text == *text) {
         return diagnostic
             .label(binder.span, format!("this `{text}` ends before"))
             .help(
                 "an index is known only inside of its sum, product or set; parentheses extend a sum",
             );
     }
-    let elsewhere = binders.iter().enumerate().find_map(|(item, names)| {
-        let binder = names.iter().find(|b| b.text == *text)?;
+    let elsewhere = walks.iter().enumerate().find_map(|(item, walk)| {
+        let binder = walk.binders.iter().find(|b| b.text == *text)?;
         match &module.syntax.items[item].kind {
             ItemKind::Function(f) => Some((binder, &f.name.text)),
             _ => None,
@@ -139,6 +154,57 @@ fn unknown_value(module: &Module, binders: &[Vec<Name>], unknown: &Unknown) -> D
         }
         _ => diagnostic.help("declare it or define it"),
     }
+}
+
+/// Whether a name is a letter that stands only as a subscript, and that nothing runs through anywhere near.
+fn is_loose_index(module: &Module, walks: &[Walked], unknown: &Unknown) -> bool {
+    let text = &unknown.name.text;
+    let walk = &walks[unknown.item];
+    let indexed = walk.indices.iter().filter(|name| name.text == *text);
+    let in_definition = matches!(
+        module.syntax.items[unknown.item].kind,
+        ItemKind::Definition(_)
+    );
+    in_definition
+        && text.chars().count() == 1
+        && look_alike(text).is_none()
+        && !is_element_set(text)
+        && builtin::import_of(text).is_none()
+        && indexed.count() == unknown.uses
+        && walk.binders.iter().all(|binder| binder.text != *text)
+}
+
+/// One message for the indices of a definition that stand neither on its left side nor below a sum.
+fn loose_indices(module: &Module, item: usize, indices: &[Name]) -> Diagnostic {
+    let (left, bound) = match &module.syntax.items[item].kind {
+        ItemKind::Definition(definition) => {
+            let target = definition.targets.first();
+            let left = target.map_or("y", |target| &target.name.text);
+            (left, left_indices(definition))
+        }
+        _ => ("y", Vec::new()),
+    };
+    let letters: String = bound
+        .into_iter()
+        .chain(indices)
+        .map(|name| name.text.as_str())
+        .collect();
+    let message = match indices {
+        [index] => format!("unknown index `{}`", index.text),
+        _ => {
+            let names: Vec<String> = indices.iter().map(|n| format!("`{}`", n.text)).collect();
+            format!("unknown indices {}", names.join(", "))
+        }
+    };
+    let mut diagnostic = Diagnostic::error(indices[0].span, message);
+    for index in &indices[1..] {
+        diagnostic = diagnostic.label(index.span, "and this");
+    }
+    diagnostic.help(format!(
+        "an index stands on the left side as well, as in `{left}_{letters} = …`, or below a sum, as in `∑_{}`; \
+         a fixed one is declared, as in `{0} ∈ ℤ`",
+        indices[0].text
+    ))
 }
 
 const ELEMENT_SETS: &str =

@@ -15,6 +15,9 @@ pub(super) struct ImportHeader {
 
 /// Reads an import without checking it.
 pub(super) fn import_header(tokens: &[Token], texts: &Texts, range: Range<usize>) -> ImportHeader {
+    if tokens[range.start].kind == Kind::From {
+        return reversed_header(tokens, texts, range);
+    }
     let mut names = Vec::new();
     let mut module = String::new();
     let mut all = false;
@@ -49,6 +52,28 @@ pub(super) fn import_header(tokens: &[Token], texts: &Texts, range: Range<usize>
     ImportHeader {
         names: (!all).then_some(names),
         module,
+    }
+}
+
+/// Reads `from module: names` or `from module import names`, which is refused: its names are known nevertheless.
+fn reversed_header(tokens: &[Token], texts: &Texts, range: Range<usize>) -> ImportHeader {
+    let mut found = Vec::new();
+    let mut index = range.start + 1;
+    while index < range.end {
+        match import_name(tokens, texts, index) {
+            Some((name, next)) => {
+                if found.len() != 1 || name != "import" {
+                    found.push(name);
+                }
+                index = next;
+            }
+            None => index += 1,
+        }
+    }
+    let mut found = found.into_iter();
+    ImportHeader {
+        module: found.next().unwrap_or_default(),
+        names: Some(found.map(|name| (name, None)).collect()),
     }
 }
 

@@ -88,3 +88,21 @@ pub(super) fn is_break(c: char) -> bool {
         '\n' | '\r' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}'
     )
 }
+
+/// Most characters of a text in quotes.
+const LONGEST_QUOTATION: usize = 200;
+
+/// The length of a text in quotes that closes on its line.
+pub(super) fn quotation(rest: &str) -> Option<usize> {
+    let first = rest.chars().next()?;
+    let close = match first {
+        '\'' | '"' => first,
+        '‘' => '’',
+        '“' => '”',
+        _ => return None,
+    };
+    let inside = &rest[first.len_utf8()..];
+    let mut letters = inside.char_indices().take(LONGEST_QUOTATION);
+    let (end, last) = letters.find(|(_, c)| *c == close || is_break(*c))?;
+    (last == close).then(|| first.len_utf8() + end + close.len_utf8())
+}

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use unicode_normalization::UnicodeNormalization;
 
 use super::ast::OptimiseKind;
-use super::letters::{escape, inverse, is_blank, is_break, letter};
+use super::letters::{escape, inverse, is_blank, is_break, letter, quotation};
 use super::spelling;
 use super::token::{Kind, TextId, Token};
 use crate::diagnostic::Diagnostic;
@@ -321,8 +321,21 @@ impl Lexer<'_> {
         if let Some(plain) = spelling::subscript(first) {
             return self.subscript(plain);
         }
+        if let Some(length) = quotation(rest).filter(|_| !self.follows_operand()) {
+            let message = "text in quotes means nothing in the language";
+            let help = "values are numbers, sets and meshes; a description of a parameter follows a colon, as in `x ∈ ℝ: the width`";
+            let error = Diagnostic::error(self.span(length), message);
+            self.out.errors.push(error.help(help));
+            return self.push(Kind::Unknown, length);
+        }
         let kind = self.plain_sign(first);
         self.push(kind, first.len_utf8());
+    }
+
+    /// Whether a name or a bracket stands directly before, which a prime may follow.
+    fn follows_operand(&self) -> bool {
+        let before = self.text[..self.at].chars().next_back();
+        before.is_some_and(|c| c.is_alphanumeric() || ")]}'`′".contains(c))
     }
 
     /// Free text up to the end of the line, a `;`, or a comment.

@@ -40,6 +40,8 @@ struct Splitter<'a> {
     errors: Vec<Diagnostic>,
     /// Words that are not known: the number of their message and of their uses.
     unknown: BTreeMap<String, (usize, usize)>,
+    /// How many integrals of the item have no variable yet.
+    integrals: usize,
     /// First and last byte of the last unknown word that nothing is proposed for, and its message.
     puzzling: Option<(u32, u32, usize)>,
 }
@@ -64,6 +66,7 @@ pub(super) fn prepare(text: &str, source: SourceId, imports: &dyn ImportedNames)
         out: Vec::with_capacity(raw.len() + raw.len() / 2),
         errors,
         unknown: BTreeMap::new(),
+        integrals: 0,
         puzzling: None,
     };
     let mut next = 0;
@@ -132,9 +135,15 @@ impl Splitter<'_> {
         let names = &item.names;
         let longest = self.longest.max(longest(names));
         let mut index = item.range.start;
+        self.integrals = 0;
         while index < item.range.end {
             let token = raw[index];
             index += 1;
+            match token.kind {
+                Kind::Integral => self.integrals += 1,
+                Kind::Total => self.integrals = self.integrals.saturating_sub(1),
+                _ => {}
+            }
             let following = raw[index];
             match token.kind {
                 Kind::Word(id) => {
@@ -251,7 +260,10 @@ impl Splitter<'_> {
                 let id = self.texts.add(word);
                 return self.push(Kind::Word(id), token.start, token.end, token.space);
             }
-            return self.unknown(item, word, token);
+            return match self.integrals > 0 && pieces.len() == 2 && pieces[0].0 == "d" {
+                true => self.plain_differential(item, &pieces[1].0, token),
+                false => self.unknown(item, word, token),
+            };
         }
         for (name, digit, at, count) in split {
             let piece = Token {
@@ -265,6 +277,26 @@ impl Splitter<'_> {
                 false => self.push_name(item, &name, piece),
             }
         }
+    }
+
+    /// `∫_a^b … dt` is meant for `∫_a^b … 𝕕t`: refused, and then understood.
+    fn plain_differential(&mut self, item: &Names, name: &str, token: Token) {
+        self.integrals -= 1;
+        if self.errors.len() < super::MOST_ERRORS {
+            let span = Span::new(self.source, token.start as usize, token.end as usize);
+            let message = "the variable of an integral follows `𝕕`, not `d`";
+            let help = format!("write `𝕕{name}`, or `\\dd {name}` in ASCII");
+            self.errors
+                .push(Diagnostic::error(span, message).help(help));
+        }
+        let end = token.start + 1;
+        self.push(Kind::Total, token.start, end, token.space);
+        let variable = Token {
+            start: end,
+            space: false,
+            ..token
+        };
+        self.push_name(item, name, variable);
     }
 
     /// The letters (with their marks) and the digit groups of a run, with their places.
@@ -312,6 +344,7 @@ impl Splitter<'_> {
     }
 
     fn unknown(&mut self, item: &Names, word: &str, token: Token) {
+        let subscript = self.out.last().is_some_and(|t| t.kind == Kind::Underscore);
         self.push(Kind::Unknown, token.start, token.end, token.space);
         if let Some((start, end, message)) = self.puzzling
             && self.text.get(end as usize..token.start as usize) == Some("_")
@@ -357,6 +390,13 @@ impl Splitter<'_> {
             Some(name) => format!("did you mean `{name}`?"),
             None => {
                 self.puzzling = Some((token.start, token.end, self.errors.len()));
+                if subscript {
+                    let message = format!("unknown subscript `{word}`");
+                    let help = "letters are indices where each stands on the left side as well, as in `y_ij = …`, or below a sum, as in `∑_i ∑_j`";
+                    self.errors
+                        .push(Diagnostic::error(span, message).help(help));
+                    return;
+                }
                 "declare it, or separate the letters to multiply them".into()
             }
         };

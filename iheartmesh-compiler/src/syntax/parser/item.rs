@@ -201,10 +201,7 @@ impl Parser<'_> {
 
     fn import(&mut self) -> Parsed<Import> {
         if self.kind() == Kind::From {
-            return self.expected(
-                "a name to import",
-                "the names stand in front, as in `sin, cos from trigonometry`",
-            );
+            return self.reversed_import();
         }
         let names = match self.kind() {
             Kind::Star => {
@@ -233,6 +230,45 @@ impl Parser<'_> {
             names,
             module,
             arguments,
+        })
+    }
+
+    /// `from module: names`, `from module import names`: refused, and then understood, so that nothing follows from it.
+    fn reversed_import(&mut self) -> Parsed<Import> {
+        let start = self.here();
+        let message = "expected a name to import, found `from`";
+        let error = Diagnostic::error(start, message);
+        self.advance();
+        let module = import_name(&self.tokens, &self.texts, self.at);
+        let separated = module.filter(|(_, next)| match self.tokens[*next].kind {
+            Kind::Colon => true,
+            Kind::Word(id) => self.texts.get(id) == "import",
+            _ => false,
+        });
+        let Some((text, next)) = separated else {
+            let help = "the names stand in front, as in `sin, cos from trigonometry`";
+            return self.fail(error.help(help));
+        };
+        let first = self.here();
+        self.at = next;
+        let module = Name {
+            text,
+            span: self.since(first),
+        };
+        self.advance();
+        let names_start = self.here();
+        let names = self.import_names()?;
+        let span = self.since(names_start);
+        let listed = &self.text[span.start as usize..span.end as usize];
+        let help = format!(
+            "the names stand in front: write `{listed} from {}`",
+            module.text
+        );
+        self.report(error.help(help));
+        Ok(Import {
+            names: Some(names),
+            module,
+            arguments: Vec::new(),
         })
     }
 

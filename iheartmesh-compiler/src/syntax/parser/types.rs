@@ -249,6 +249,24 @@ impl Parser<'_> {
         Ok(self.ty(kind, start))
     }
 
+    /// `ℝ^3x3` and `ℝ^(3x3)` are meant for a matrix.
+    fn no_letter_between_sizes(&mut self) -> Parsed<()> {
+        let open = (self.kind() == Kind::LeftParen) as usize;
+        let (rows, sizes) = (self.token(open), self.token(open + 1));
+        let text = &self.text[sizes.start as usize..sizes.end as usize];
+        let columns = text.strip_prefix('x').filter(|digits| {
+            !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit())
+        });
+        let (Kind::Integer(number), Some(columns), false) = (rows.kind, columns, sizes.space)
+        else {
+            return Ok(());
+        };
+        let help = format!("write `ℝ^({number}×{columns})`, or `ℝ^({number},{columns})`");
+        let span = self.span(rows).to(self.span(sizes));
+        let error = Diagnostic::error(span, "between the sizes of a matrix stands `×`, not `x`");
+        self.fail(error.help(help))
+    }
+
     /// `ℝ`, `ℝ^n`, `ℝ³`, `ℝ^(n×m)`.
     fn numbers(&mut self, number: Number) -> Parsed<TypeKind> {
         self.advance();
@@ -267,6 +285,7 @@ impl Parser<'_> {
             }
             Kind::Caret => {
                 self.advance();
+                self.no_letter_between_sizes()?;
                 if self.kind() == Kind::LeftParen {
                     self.advance();
                     let rows = self.dimension()?;
