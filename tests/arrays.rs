@@ -49,6 +49,7 @@ programs! {
         w = x/x_1
         y = [x x]
         z = A A⁻¹ x
+        multiples = [A I/x_1; -2I/x_1 -x_2⋅I/(2x_1)]
     "#;
 
     Deficient, PlainDeficient = r#"
@@ -212,6 +213,12 @@ fn products() {
     close(module.r(), 9.0);
     assert_eq!(module.s().to_dense()[[1, 1]], 6.0);
     assert_eq!(module.t(), dmatrix![2.0, 1.0, 1.0; 1.0, 3.0, 2.0; 1.0, 2.0, 1.0]);
+    let mut multiples = DMatrix::<f64>::zeros(4, 4);
+    multiples.view_mut((0, 0), (2, 2)).copy_from(&a);
+    for (place, value) in [((0, 2), 1.0 / x[0]), ((2, 0), -2.0 / x[0]), ((2, 2), -x[1] / (2.0 * x[0]))] {
+        multiples.view_mut(place, (2, 2)).fill_diagonal(value);
+    }
+    assert_eq!(module.multiples(), multiples);
     assert!((module.u() - DMatrix::<f64>::identity(2, 2)).amax() < 1e-12);
     assert!((module.v() * &a - x.transpose()).amax() < 1e-12);
     assert_eq!(module.w(), x);

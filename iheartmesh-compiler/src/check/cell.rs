@@ -3,9 +3,9 @@
 use super::Checker;
 use super::operator::extents;
 use crate::diagnostic::Diagnostic;
-use crate::ir::ExprId;
+use crate::ir::{Binary, ExprId, Kind};
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, UnaryOp};
-use crate::types::Dimension;
+use crate::types::{Dimension, Type};
 
 /// A cell of a matrix.
 pub(super) enum Cell {
@@ -13,39 +13,63 @@ pub(super) enum Cell {
     Block(ExprId, Dimension, Dimension),
     /// `0` or `1`: fills a block of any size.
     Filling(f64),
-    /// `I`, `-I`, `a I`: a multiple of an identity of any size.
+    /// `I`, `-I`, `a I`, `I/a`: a multiple of an identity of any size.
     Identity(Option<ExprId>),
 }
 
+/// Whether a cell is `I`, or `I` with a sign, a factor in front or a divisor behind.
+fn holds_identity(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Name(name) => name.text == "I",
+        ExprKind::Unary {
+            op: UnaryOp::Negate,
+            operand,
+        } => holds_identity(operand),
+        ExprKind::Binary {
+            op, left, right, ..
+        } => match op {
+            BinaryOp::Juxtapose | BinaryOp::Dot => holds_identity(right),
+            BinaryOp::Divide => holds_identity(left),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
 impl<'a> Checker<'a> {
-    /// The factor in front of an `I` without a size; `None` for what is no such product.
+    /// The factor of an `I` without a size in a cell that [`holds_identity`]; `None` where it is multiplied by more
+    /// than numbers.
     fn factor_of_identity(&mut self, cell: &'a Expr) -> Option<Option<ExprId>> {
-        let is_identity = |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name.text == "I");
-        match &cell.kind {
-            _ if is_identity(cell) => Some(None),
-            ExprKind::Unary {
-                op: UnaryOp::Negate,
-                operand,
-            } => {
+        let (op, number, rest) = match &cell.kind {
+            ExprKind::Unary { operand, .. } => {
                 let factor = self.factor_of_identity(operand)?;
                 let factor = factor.unwrap_or_else(|| self.program.arena.real(1.0));
-                Some(Some(self.negate(factor)))
+                return Some(Some(self.negate(factor)));
             }
             ExprKind::Binary {
-                op: BinaryOp::Juxtapose | BinaryOp::Dot,
+                op: BinaryOp::Divide,
                 left,
                 right,
                 ..
-            } if is_identity(right) => {
-                let factor = self.expr(left);
-                if self.is_error(factor) {
-                    return Some(None);
-                }
-                let is_number = self.ty(factor).is_scalar();
-                is_number.then(|| Some(self.real(factor)))
-            }
-            _ => None,
+            } => (Binary::Divide, right, left),
+            ExprKind::Binary { left, right, .. } => (Binary::Multiply, left, right),
+            _ => return Some(None),
+        };
+        let number = self.expr(number);
+        if self.is_error(number) {
+            return Some(None);
         }
+        if !self.ty(number).is_scalar() {
+            return None;
+        }
+        let number = self.real(number);
+        let kind = match (op, self.factor_of_identity(rest)?) {
+            (Binary::Divide, None) => Kind::Binary(op, self.program.arena.real(1.0), number),
+            (_, None) => return Some(Some(number)),
+            (Binary::Divide, Some(factor)) => Kind::Binary(op, factor, number),
+            (_, Some(factor)) => Kind::Binary(op, number, factor),
+        };
+        Some(Some(self.add_at(cell.span, kind, Type::REAL)))
     }
 
     pub(super) fn cell(&mut self, cell: &'a Expr, is_block: bool) -> Option<Cell> {
@@ -53,6 +77,7 @@ impl<'a> Checker<'a> {
             return Some(Cell::Filling(*value as f64));
         }
         if is_block
+            && holds_identity(cell)
             && !self.is_bound("I")
             && let Some(factor) = self.factor_of_identity(cell)
         {
