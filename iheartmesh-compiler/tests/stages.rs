@@ -154,6 +154,11 @@ fn derivatives() {
 }
 
 #[test]
+fn products() {
+    check(&small("products"));
+}
+
+#[test]
 fn optima() {
     check(&small("optima"));
 }

@@ -15,6 +15,7 @@ mod nonzeros;
 pub mod operations;
 mod orbits;
 mod plan;
+mod products;
 pub use plan::{MayFail, is_within, may_overflow};
 pub mod rewrite;
 mod share;
@@ -34,6 +35,8 @@ pub struct Optimizations {
     pub traverse: bool,
     /// Calls of functions that mix topology and values are replaced by their bodies.
     pub inline: bool,
+    /// Products of sums of blocks and vectors do not form the matrix.
+    pub products: bool,
     /// Sums along rows and columns of sparse matrices run over their stored entries.
     pub nonzeros: bool,
     /// Expressions are brought to a common form, and computed once outside of loops.
@@ -56,6 +59,7 @@ impl Optimizations {
     pub const ALL: Self = Self {
         traverse: true,
         inline: true,
+        products: true,
         nonzeros: true,
         share: true,
         plan: true,
@@ -68,6 +72,7 @@ impl Optimizations {
     pub const NONE: Self = Self {
         traverse: false,
         inline: false,
+        products: false,
         nonzeros: false,
         share: false,
         plan: false,
@@ -78,8 +83,9 @@ impl Optimizations {
     };
 
     /// Names of the switches, in the order of the passes.
-    pub const NAMES: [&'static str; 9] = [
-        "traverse", "inline", "nonzeros", "share", "plan", "corners", "fields", "orbits", "slots",
+    pub const NAMES: [&'static str; 10] = [
+        "traverse", "inline", "products", "nonzeros", "share", "plan", "corners", "fields",
+        "orbits", "slots",
     ];
 
     /// Sets a switch by its name; `false` when there is none of this name.
@@ -87,6 +93,7 @@ impl Optimizations {
         let switch = match name {
             "traverse" => &mut self.traverse,
             "inline" => &mut self.inline,
+            "products" => &mut self.products,
             "share" => &mut self.share,
             "plan" => &mut self.plan,
             "corners" => &mut self.corners,
@@ -262,6 +269,9 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     }
     if optimizations.inline {
         inline::run(&mut program);
+    }
+    if optimizations.products {
+        products::run(&mut program);
     }
     if optimizations.nonzeros {
         nonzeros::run(&mut program);

@@ -10,7 +10,7 @@ use super::place::{Part, Placement, RegionId, Roots};
 use super::slots::SlotSum;
 use crate::ir::{ExprId, Fold, Kind, Parameter, Range, VariableId};
 use crate::optimize::Plan;
-use crate::types::{Atom, Number, Type};
+use crate::types::{Atom, Number, Shape, Type};
 
 /// How a body reaches what it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,6 +153,8 @@ impl<'a> Body<'a> {
             | Kind::Boundary(_)
             | Kind::Column(..)
             | Kind::Fail => true,
+            // a reference to what is kept
+            Kind::Global(_) if self.mode != Mode::Build && is_kept_array(self.ty(e)) => true,
             // its blocks are added where they stand
             _ if self.slots.is_some() && self.is_assembled(e) => true,
             // a function is called where it stands
@@ -423,4 +425,9 @@ pub(super) fn row_name(variable: VariableId) -> Ident {
 /// The number of the current row of a space.
 pub(super) fn number_name(variable: VariableId) -> Ident {
     format_ident!("number{}", variable.0)
+}
+
+/// Whether a definition of this type is read by a reference: a vector or matrix of a size that is not in the text.
+fn is_kept_array(ty: &Type) -> bool {
+    matches!(ty.shape(), Some(Shape::Vector(_) | Shape::Matrix(..))) && !ty.is_fixed()
 }

@@ -4,6 +4,8 @@
 //! Both walk the same loops in the same order, so that the values of the second follow one another as the places of the
 //! first.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -12,7 +14,7 @@ use super::block::{Body, Mode};
 use super::place::{Part, RegionId, Roots};
 use super::slots::{Count, SlotSum, Step, Unit, is_in_rounds};
 use crate::ir::{Binary, Block, ExprId, GlobalId, Kind, Range, Unary};
-use crate::optimize::Plan;
+use crate::optimize::{Plan, reachable};
 use crate::types::Type;
 
 impl Context<'_> {
@@ -35,6 +37,21 @@ impl Context<'_> {
         }
     }
 
+    /// Statements that compute the definitions which terms ask for. Terms are added by several threads; what one of them
+    /// computes first must not be waited for by a task that it takes up meanwhile. Whether one fails is seen at its use.
+    fn known_before(&self, e: ExprId) -> TokenStream {
+        let mut all = BTreeSet::new();
+        reachable(&self.program().arena, e, &mut |kind| {
+            if let Kind::Global(id) = kind
+                && !self.is_static_global(*id)
+            {
+                all.insert(*id);
+            }
+        });
+        let names = all.into_iter().map(|id| self.global_name(id));
+        quote!(#(let _ = s.#names();)*)
+    }
+
     /// The functions that find the places, and add the values to entries.
     pub(super) fn slot_functions(&self, id: GlobalId) -> TokenStream {
         let (Some(sum), Some(staged)) = (self.slot_sums.get(&id), self.staged.globals.get(&id))
@@ -48,6 +65,7 @@ impl Context<'_> {
         );
         let places = self.places_of(id, sum, &staged.plan);
         let prelude = self.prelude(&[staged.body]);
+        let known = self.known_before(staged.body);
         let mut roots = Roots::default();
         let region = roots.region(None, None);
         roots.need(region, staged.body);
@@ -75,6 +93,7 @@ impl Context<'_> {
             #into
             pub fn #slots(s: &State<'_>) -> rt::Fallible<::std::sync::Arc<rt::Slots>> { #prelude #places }
             pub fn #fill(s: &State<'_>, slots: &rt::Slots, data: &mut [f64]) -> rt::Fallible<()> {
+                #known
                 #prelude
                 #statements
                 #terms

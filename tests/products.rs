@@ -1,0 +1,182 @@
+//! Products of sums of blocks and vectors: without the matrix, and with it.
+
+#[macro_use]
+#[path = "support/twice.rs"]
+mod twice;
+
+use iheartmesh::glam::DVec2;
+use iheartmesh::{FaceMesh, Set, sprs::CsMat};
+use nalgebra::{DMatrix, DVector};
+
+programs! {
+    Springs, PlainSprings = r#"
+        ElementSets from MeshConnectivity
+        OrientedVertices, Vertices from Neighborhoods(M)
+        psd, tr, vec from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x_i ∈ ℝ²
+        u_i ∈ ℝ²
+        c_i ∈ ℝ
+        w ∈ ℝ
+        D(f) = |[x_b - x_a  x_c - x_a]| where f ∈ F, a, b, c = OrientedVertices(f)
+        S(f) = { (D(f) - w)² if D(f) > ½
+                 0 otherwise where f ∈ F
+        l(k) = (‖x_i - x_j‖² - w)² where k ∈ E, i, j = Vertices(k)
+        e = ∑_(f ∈ F) S(f) + ½ ∑_(k ∈ E) l(k)
+        U = ∑_(f ∈ F) c_a (D(f) - w)² where a, b, d = OrientedVertices(f)
+        v = vec(u)
+        g = ∂e/∂x
+        H = ∂²e/∂x²
+        J = ∂²U/∂x∂c
+        `K` = ∂²e/∂x²
+        B = 3 H - ½ K
+        p = H v
+        q = H g - v
+        r = vᵀ H
+        s = vᵀ H v
+        t = (∂²e/∂x²) (2 v + g)
+        a = B v
+        b = -(H + K)ᵀ v / w
+        y = J c
+        z = Jᵀ v
+        P = ∑_(f ∈ F) psd(∂²S(f)/∂x²)
+        d = P v
+        m = (P + H) v
+        G = ∂²e/∂x²
+        h = G v
+        o = tr(G)
+    "#;
+
+    Pairs, PlainPairs = r#"
+        vec from linearalgebra
+        x_i ∈ ℝ²
+        u_i ∈ ℝ²
+        w ∈ ℝ
+        Q ∈ {ℤ×ℤ}
+        T(i, j) = (‖x_i - 2 x_j‖² - w)² where i, j ∈ ℤ
+        e = ∑_((i, j) ∈ Q) T(i, j)
+        H = ∂²e/∂x²
+        p = H vec(u)
+    "#;
+}
+
+fn meshes() -> Vec<(FaceMesh, usize)> {
+    let grid = |n: u32| {
+        let mut triangles = Vec::new();
+        for a in (0..n * (n - 1)).filter(|a| a % n < n - 1) {
+            triangles.extend([[a, a + 1, a + n + 1], [a, a + n + 1, a + n]]);
+        }
+        (triangles, (n * n) as usize)
+    };
+    let (small, few) = grid(4);
+    // large enough for several threads
+    let (large, many) = grid(50);
+    let all: [(&[[u32; 3]], usize); 7] = [
+        (&[], 0),
+        (&[], 3),
+        // isolated vertices, boundaries
+        (&[[1, 3, 5]], 7),
+        // three faces on one edge
+        (&[[0, 1, 2], [1, 0, 3], [0, 1, 4]], 5),
+        // closed
+        (&[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 4),
+        (&small, few),
+        (&large, many),
+    ];
+    all.map(|(triangles, n)| (FaceMesh::from_triangles(n, triangles).unwrap(), n))
+        .into()
+}
+
+fn points(n: usize, seed: u64) -> Vec<DVec2> {
+    let mut random = fastrand::Rng::with_seed(seed);
+    (0..n)
+        .map(|_| DVec2::new(random.f64(), random.f64()) * 3.0 - 1.0)
+        .collect()
+}
+
+/// A sparse matrix times a vector, entry by entry.
+fn times(a: &CsMat<f64>, x: &DVector<f64>) -> DVector<f64> {
+    let mut y = DVector::zeros(a.rows());
+    for (value, (i, j)) in a {
+        y[i] += value * x[j];
+    }
+    y
+}
+
+#[track_caller]
+fn near(a: &DVector<f64>, b: &DVector<f64>) {
+    assert_eq!(a.len(), b.len());
+    let scale = b.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+    for (x, y) in a.iter().zip(b) {
+        assert!((x - y).abs() < 1e-11 * scale, "{x} is not {y}");
+    }
+}
+
+for_both! {
+    #[test]
+    fn products_are_those_of_the_matrix() {
+        for (mesh, n) in meshes() {
+            // without optimisations every set is searched
+            if n > 100 && std::any::type_name::<Springs>().contains("Plain") {
+                continue;
+            }
+            let (x, u) = (points(n, 3), points(n, 4));
+            let c: Vec<f64> = points(n, 5).iter().map(|x| x.x).collect();
+            let w = 0.7;
+            // the products come first: nothing that they need has been computed
+            let module = Springs::new(&mesh, &x, &u, &c, w).unwrap();
+            let (q, p) = (module.q(), module.p());
+            let v = DVector::from_iterator(2 * n, u.iter().flat_map(|x| x.to_array()));
+            let c = DVector::from_row_slice(&c);
+            let (h, j, g) = (module.H(), module.J(), module.g());
+            let hv = times(&h, &v);
+            near(&p, &hv);
+            near(&q, &(times(&h, &g) - &v));
+            near(&module.r().transpose().column(0).into_owned(), &hv);
+            near(&DVector::from_element(1, module.s()), &DVector::from_element(1, v.dot(&hv)));
+            near(&module.t(), &times(&h, &(2.0 * &v + &g)));
+            near(&module.a(), &(2.5 * &hv));
+            near(&module.b(), &(-2.0 / w * &hv));
+            near(&module.y(), &times(&j, &c));
+            near(&module.z(), &times(&j.transpose_view().to_owned(), &v));
+            near(&module.d(), &times(&module.P(), &v));
+            near(&module.m(), &(times(&module.P(), &v) + &hv));
+            near(&module.h(), &hv);
+            let trace: f64 = h.iter().filter(|(_, (i, j))| i == j).map(|(x, _)| *x).sum();
+            assert!((module.o() - trace).abs() < 1e-11 * trace.abs().max(1.0));
+        }
+    }
+
+    #[test]
+    fn places_from_the_host() {
+        let (x, u) = (points(6, 1), points(6, 2));
+        let mut module = Pairs::new(&x, &u, 0.5, Set::from(vec![])).unwrap();
+        for pairs in [vec![], vec![(1, 2), (6, 3)], vec![(5, 5), (2, 1), (1, 2)]] {
+            module.set_Q(Set::from(pairs)).unwrap();
+            let v = DVector::from_iterator(12, u.iter().flat_map(|x| x.to_array()));
+            near(&module.p(), &times(&module.H(), &v));
+        }
+        for pair in [(1, 7), (0, 1)] {
+            module.set_Q(Set::from(vec![pair])).unwrap();
+            assert!(module.try_p().is_err());
+            assert!(module.try_H().is_err());
+        }
+    }
+}
+
+/// The gradient along a direction, by differences.
+#[test]
+fn differences_of_gradients() {
+    let (mesh, n) = meshes().swap_remove(4);
+    let (x, u) = (points(n, 3), points(n, 4));
+    let at = |t: f64| {
+        let x: Vec<DVec2> = x.iter().zip(&u).map(|(x, u)| *x + t * *u).collect();
+        optimized::Springs::new(&mesh, x, &u, vec![0.0; n], 0.7).unwrap()
+    };
+    let step = 1e-5;
+    let difference = (at(step).g() - at(-step).g()) / (2.0 * step);
+    let product = at(0.0).p();
+    let error = DMatrix::from_columns(&[difference - &product]).amax();
+    assert!(error < 1e-6 * product.amax().max(1.0));
+}
