@@ -51,15 +51,13 @@ impl Objective for SymmetricDirichlet<'_> {
     }
 
     fn gradient(&mut self, gradient: &mut DVector<f64>) -> Result<(), Failure> {
-        *gradient = self.try_G()?;
-        Ok(())
+        Ok(self.try_G_into(gradient)?)
     }
 }
 
 impl TwiceDifferentiable for SymmetricDirichlet<'_> {
     fn hessian(&mut self, hessian: &mut CsMat<f64>) -> Result<(), Failure> {
-        *hessian = self.try_H()?;
-        Ok(())
+        Ok(self.try_H_into(hessian)?)
     }
 }
 

@@ -59,15 +59,13 @@ macro_rules! objectives {
             }
 
             fn gradient(&mut self, gradient: &mut DVector<f64>) -> Result<(), Failure> {
-                *gradient = self.try_G()?;
-                Ok(())
+                Ok(self.try_G_into(gradient)?)
             }
         }
 
         impl TwiceDifferentiable for $module<'_> {
             fn hessian(&mut self, hessian: &mut CsMat<f64>) -> Result<(), Failure> {
-                *hessian = self.try_H()?;
-                Ok(())
+                Ok(self.try_H_into(hessian)?)
             }
         }
     )*};
@@ -154,7 +152,7 @@ fn minimize(
     print_fact(
         name,
         &format!(
-            "{:.6} to {:.6} in {} steps, {time:.1?}; gradient {:.1e}, {inverted} tetrahedra inverted",
+            " {:.6} to {:.6} in {} steps, {time:.1?}; gradient {:.1e}, {inverted} tetrahedra inverted",
             energies[0], found.energy, found.steps, found.gradient
         ),
     );

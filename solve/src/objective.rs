@@ -19,8 +19,7 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 ///         Ok(self.try_e()?)
 ///     }
 ///     fn gradient(&mut self, gradient: &mut DVector<f64>) -> Result<(), Failure> {
-///         *gradient = self.try_G()?;
-///         Ok(())
+///         Ok(self.try_G_into(gradient)?)
 ///     }
 /// }
 /// ```
