@@ -35,7 +35,7 @@ use crate::source::Source;
 use crate::span::SourceId;
 
 /// How deep brackets, prefixes and the like may be nested. Later stages walk trees recursively; so does the parser.
-pub const MOST_NESTING: usize = 64;
+pub const MOST_NESTING: usize = 100;
 
 /// How high a tree may be: the most operators that may follow one another in a row.
 pub const MOST_HEIGHT: usize = 200;

@@ -17,9 +17,11 @@ impl Parser<'_> {
         if let Some(literal) = self.literal() {
             return Ok(literal);
         }
-        match self.primary()? {
-            (base, true) => self.subscripted(base, start),
-            (whole, false) => Ok(whole),
+        let mut open = false;
+        let base = self.primary(&mut open)?;
+        match open {
+            true => self.subscripted(base, start),
+            false => Ok(base),
         }
     }
 
@@ -47,22 +49,24 @@ impl Parser<'_> {
         Some(make(kind, span))
     }
 
-    /// What is no literal; the second value says whether subscripts may follow.
-    fn primary(&mut self) -> Parsed<(Expr, bool)> {
-        let open = |expr| (expr, true);
-        let closed = |expr| (expr, false);
+    /// What is no literal; `open` tells whether subscripts may follow.
+    fn primary(&mut self, open: &mut bool) -> Parsed<Expr> {
+        *open = matches!(
+            self.kind(),
+            Kind::Name(_) | Kind::LeftParen | Kind::LeftBracket | Kind::LeftBrace
+        );
         match self.kind() {
-            Kind::Name(_) => self.variable().map(open),
-            Kind::Function(_) => self.function(),
-            Kind::Unknown | Kind::Word(_) => self.unknown().map(closed),
-            Kind::Integer(number) => self.number_matrix(number == 1).map(closed),
-            Kind::Ones => self.number_matrix(true).map(closed),
-            Kind::LeftParen => self.parentheses().map(open),
-            Kind::LeftBracket => self.matrix().map(open),
-            Kind::LeftBrace => self.set().map(open),
-            Kind::Bar | Kind::DoubleBar => self.norm().map(closed),
-            Kind::LeftAngle | Kind::Less => self.inner().map(closed),
-            Kind::Hash => self.size().map(closed),
+            Kind::Name(_) => self.variable(),
+            Kind::Function(_) => self.function(open),
+            Kind::Unknown | Kind::Word(_) => self.unknown(),
+            Kind::Integer(number) => self.number_matrix(number == 1),
+            Kind::Ones => self.number_matrix(true),
+            Kind::LeftParen => self.parentheses(),
+            Kind::LeftBracket => self.matrix(),
+            Kind::LeftBrace => self.set(),
+            Kind::Bar | Kind::DoubleBar => self.norm(),
+            Kind::LeftAngle | Kind::Less => self.inner(),
+            Kind::Hash => self.size(),
             _ => self.no_operand(),
         }
     }
@@ -81,7 +85,7 @@ impl Parser<'_> {
         Ok(make(ExprKind::Unary { op, operand }, self.since(start)))
     }
 
-    fn no_operand(&mut self) -> Parsed<(Expr, bool)> {
+    fn no_operand(&mut self) -> Parsed<Expr> {
         let first = self.at == 0 || self.tokens[self.at - 1].kind == Kind::Newline;
         let help = match self.kind() {
             Kind::Piecewise => return self.misplaced("a piecewise value"),
@@ -118,43 +122,68 @@ impl Parser<'_> {
         Ok(make(ExprKind::Error, self.since(start)))
     }
 
-    /// A function: called if `(` follows at once or it has subscripts. The second value says whether subscripts of
-    /// the result may follow.
-    fn function(&mut self) -> Parsed<(Expr, bool)> {
+    /// A function: called if `(` follows at once or it has subscripts; `open` tells whether subscripts of the result
+    /// may follow.
+    fn function(&mut self, open: &mut bool) -> Parsed<Expr> {
         let start = self.here();
         let function = self.name("a function", "")?;
         let subscripts = self.call_subscripts()?;
         if let Some((exponent, length)) = self.power_before_arguments() {
             self.at += length;
-            let arguments = self.arguments()?;
-            let call = self.call(function, subscripts, arguments, start);
-            return self
-                .raised_call(call, exponent, start)
-                .map(|expr| (expr, false));
+            return self.raised_call(function, subscripts, exponent, start);
         }
-        if self.kind() == Kind::LeftParen {
-            if self.tight(0) {
-                let arguments = self.arguments()?;
-                return Ok((self.call(function, subscripts, arguments, start), true));
-            }
-            if subscripts.is_empty() && !self.context.cell {
-                let message = format!("`{}` is multiplied, not called", function.text);
-                let help = "remove the blank before `(` to call it";
-                let warning = Diagnostic::warning(function.span, message);
-                self.report(warning.help(help));
-            }
+        if self.kind() == Kind::LeftParen && self.tight(0) {
+            *open = true;
+            return self.called(function, subscripts, start);
+        }
+        self.uncalled(function, subscripts, start)
+    }
+
+    fn called(&mut self, function: Name, subscripts: Vec<Expr>, start: Span) -> Parsed<Expr> {
+        let arguments = self.arguments()?;
+        let kind = ExprKind::Call {
+            function,
+            subscripts,
+            arguments,
+        };
+        Ok(make(kind, self.since(start)))
+    }
+
+    /// A function without parentheses.
+    fn uncalled(&mut self, function: Name, subscripts: Vec<Expr>, start: Span) -> Parsed<Expr> {
+        if self.kind() == Kind::LeftParen && subscripts.is_empty() && !self.context.cell {
+            self.warn_of_blank(&function);
         }
         if let (Some(best), [first, ..]) = (extremum(&function.text), subscripts.as_slice()) {
-            let span = first.span;
-            let message = format!("what `{best}` runs over stands in parentheses");
-            let help = format!("over a set write `{best}_(x ∈ S) …`; of values, `{best}(a, b)`");
-            return self.fail(Diagnostic::error(span, message).help(help));
+            return self.unparenthesised_optimum(best, first.span);
         }
         if subscripts.is_empty() {
             let span = function.span;
-            return Ok((make(ExprKind::Name(function), span), false));
+            return Ok(make(ExprKind::Name(function), span));
         }
-        Ok((self.call(function, subscripts, Vec::new(), start), false))
+        let kind = ExprKind::Call {
+            function,
+            subscripts,
+            arguments: Vec::new(),
+        };
+        Ok(make(kind, self.since(start)))
+    }
+
+    /// A blank between a function and its `(`.
+    #[cold]
+    #[inline(never)]
+    fn warn_of_blank(&mut self, function: &Name) {
+        let message = format!("`{}` is multiplied, not called", function.text);
+        let help = "remove the blank before `(` to call it";
+        self.report(Diagnostic::warning(function.span, message).help(help));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn unparenthesised_optimum<T>(&mut self, best: &str, span: Span) -> Parsed<T> {
+        let message = format!("what `{best}` runs over stands in parentheses");
+        let help = format!("over a set write `{best}_(x ∈ S) …`; of values, `{best}(a, b)`");
+        self.fail(Diagnostic::error(span, message).help(help))
     }
 
     fn call_subscripts(&mut self) -> Parsed<Vec<Expr>> {
@@ -172,9 +201,16 @@ impl Parser<'_> {
     }
 
     /// `sin²(x)` is `(sin(x))²`.
-    fn raised_call(&mut self, call: Expr, exponent: Expr, start: Span) -> Parsed<Expr> {
+    fn raised_call(
+        &mut self,
+        function: Name,
+        subscripts: Vec<Expr>,
+        exponent: Expr,
+        start: Span,
+    ) -> Parsed<Expr> {
+        let left = Box::new(self.called(function, subscripts, start)?);
         self.grow(start)?;
-        let (left, right) = (Box::new(call), Box::new(exponent));
+        let right = Box::new(exponent);
         let op_span = right.span;
         let op = BinaryOp::Power;
         let kind = ExprKind::Binary {
@@ -184,21 +220,6 @@ impl Parser<'_> {
             op_span,
         };
         Ok(make(kind, self.since(start)))
-    }
-
-    fn call(
-        &self,
-        function: Name,
-        subscripts: Vec<Expr>,
-        arguments: Vec<Expr>,
-        start: Span,
-    ) -> Expr {
-        let kind = ExprKind::Call {
-            function,
-            subscripts,
-            arguments,
-        };
-        make(kind, self.since(start))
     }
 
     /// `²` or `^2` between a function and its arguments: the exponent and its number of tokens.
@@ -219,11 +240,7 @@ impl Parser<'_> {
 
     /// `(a, b)`; `;` separates as well.
     pub(super) fn arguments(&mut self) -> Parsed<Vec<Expr>> {
-        let before = self.at.checked_sub(1).map(|at| self.tokens[at].kind);
-        let best = match before {
-            Some(Kind::Function(id)) => extremum(self.texts.get(id)),
-            _ => None,
-        };
+        let open = self.at;
         self.advance();
         let mut arguments = Vec::new();
         if self.eat(Kind::RightParen) {
@@ -235,6 +252,21 @@ impl Parser<'_> {
                 break;
             }
         }
+        match self.eat(Kind::RightParen) {
+            true => Ok(arguments),
+            false => self.unclosed_arguments(open),
+        }
+    }
+
+    /// The error that the arguments after the parenthesis at this place do not end here.
+    #[cold]
+    #[inline(never)]
+    fn unclosed_arguments<T>(&mut self, open: usize) -> Parsed<T> {
+        let before = open.checked_sub(1).map(|at| self.tokens[at].kind);
+        let best = match before {
+            Some(Kind::Function(id)) => extremum(self.texts.get(id)),
+            _ => None,
+        };
         let help = match (self.kind(), best) {
             (Kind::In, Some(best)) => {
                 format!("over a set write `{best}_(x ∈ S) …`, with `_` before the parenthesis")
@@ -242,7 +274,7 @@ impl Parser<'_> {
             _ => "close the list of arguments".to_owned(),
         };
         self.expect(Kind::RightParen, "`,` or `)`", &help)?;
-        Ok(arguments)
+        Err(super::Failed)
     }
 
     fn parentheses(&mut self) -> Parsed<Expr> {

@@ -110,19 +110,25 @@ impl Parser<'_> {
 
     fn right_operand(&mut self, op: BinaryOp, strength: u8) -> Parsed<Expr> {
         if self.kind() == Kind::Minus {
-            let written = match op {
-                BinaryOp::Add => "a + (-b)",
-                BinaryOp::Subtract => "a - (-b)",
-                _ => "a ⋅ (-b)",
-            };
-            let help = format!("put the operand with its sign in parentheses, as in `{written}`");
-            return self.expected("an operand", &help);
+            return self.signed_operand(op);
         }
         match strength {
             SUM => self.climb(TERM),
             TERM => self.climb_tight(UNION),
             _ => self.climb_tight(strength + 2),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn signed_operand<T>(&mut self, op: BinaryOp) -> Parsed<T> {
+        let written = match op {
+            BinaryOp::Add => "a + (-b)",
+            BinaryOp::Subtract => "a - (-b)",
+            _ => "a ⋅ (-b)",
+        };
+        let help = format!("put the operand with its sign in parentheses, as in `{written}`");
+        self.expected("an operand", &help)
     }
 
     fn climb_tight(&mut self, least: u8) -> Parsed<Expr> {

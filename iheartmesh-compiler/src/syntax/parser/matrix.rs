@@ -5,6 +5,7 @@ use super::super::token::Kind;
 use super::expression::make;
 use super::{Context, Parsed, Parser};
 use crate::diagnostic::Diagnostic;
+use crate::span::Span;
 
 const HELP: &str = "cells are separated by blanks or commas, rows by `;` or line breaks";
 
@@ -24,13 +25,7 @@ impl Parser<'_> {
             if let Some(first) = rows.first()
                 && first.len() != row.len()
             {
-                let span = row.iter().map(|cell| cell.span).reduce(|a, b| a.to(b));
-                let (found, wanted) = (row.len(), first.len());
-                let cells = if found == 1 { "cell" } else { "cells" };
-                let message =
-                    format!("this row has {found} {cells}, but the first row has {wanted}");
-                let error = Diagnostic::error(span.unwrap_or(start), message);
-                self.report(error.help("blanks separate cells: put a sum or product in parentheses, or write it without blanks"));
+                self.ragged(&row, first.len(), start);
                 return self.close_matrix(close, start);
             }
             rows.push(row);
@@ -40,14 +35,32 @@ impl Parser<'_> {
         }
         self.advance();
         if rows.is_empty() {
-            let error = Diagnostic::error(self.since(start), "a matrix has at least one cell");
-            return self.fail(error.help("write `0_n,m` for a matrix of zeros"));
+            return self.without_cells(start);
         }
         Ok(make(ExprKind::Matrix(rows), self.since(start)))
     }
 
+    /// Reports a row that has not as many cells as the first one.
+    #[cold]
+    #[inline(never)]
+    fn ragged(&mut self, row: &[Expr], wanted: usize, start: Span) {
+        let span = row.iter().map(|cell| cell.span).reduce(|a, b| a.to(b));
+        let found = row.len();
+        let cells = if found == 1 { "cell" } else { "cells" };
+        let message = format!("this row has {found} {cells}, but the first row has {wanted}");
+        let error = Diagnostic::error(span.unwrap_or(start), message);
+        self.report(error.help("blanks separate cells: put a sum or product in parentheses, or write it without blanks"));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn without_cells<T>(&mut self, start: Span) -> Parsed<T> {
+        let error = Diagnostic::error(self.since(start), "a matrix has at least one cell");
+        self.fail(error.help("write `0_n,m` for a matrix of zeros"))
+    }
+
     /// Goes on behind a matrix with a mistake that says nothing about what follows.
-    fn close_matrix(&mut self, close: Option<usize>, start: crate::span::Span) -> Parsed<Expr> {
+    fn close_matrix(&mut self, close: Option<usize>, start: Span) -> Parsed<Expr> {
         match close {
             Some(close) => self.at = close + 1,
             None => return Err(super::Failed),

@@ -414,11 +414,15 @@ impl Parser<'_> {
         }
     }
 
+    #[cold]
+    #[inline(never)]
     fn too_high<T>(&mut self, span: Span) -> Parsed<T> {
         let message = format!("more than {MOST_HEIGHT} operators follow one another here");
         self.fail(Diagnostic::error(span, message).help("give parts of it names of their own"))
     }
 
+    #[cold]
+    #[inline(never)]
     fn too_deep<T>(&mut self, span: Span) -> Parsed<T> {
         let message = format!("this is nested deeper than {MOST_NESTING} levels");
         self.fail(Diagnostic::error(span, message).help("give parts of it names of their own"))
