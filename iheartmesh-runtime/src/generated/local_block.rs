@@ -2,7 +2,7 @@
 
 use super::Part;
 use super::array::Array;
-use super::spectrum::{is_positive_semidefinite, replaced};
+use super::spectrum::{has_positive_pivots, is_positive_semidefinite, replaced, replacement};
 
 /// A block of `N` rows: `P` parts of a height `H`. `M` is the number of rows without one part.
 #[derive(Clone, Debug)]
@@ -165,15 +165,14 @@ fn replaced_in_differences<const P: usize, const H: usize, const N: usize, const
 ) -> [[f64; N]; N] {
     let narrow = differences::<P, H, N, M, N>(a);
     let small = differences::<P, H, N, M, M>(&transposed(&narrow));
-    let mut change = replaced(&small, part);
-    for (x, y) in change.iter_mut().flatten().zip(small.iter().flatten()) {
-        *x -= y;
+    if has_positive_pivots(small) {
+        return *a;
     }
-    let wide = parts::<P, H, N, M, M>(&change);
-    let mut all = parts::<P, H, N, M, N>(&transposed(&wide));
-    for (x, y) in all.iter_mut().flatten().zip(a.iter().flatten()) {
-        *x += y;
-    }
+    let Some(change) = replacement(&small, part) else {
+        return [[f64::NAN; N]; N];
+    };
+    let mut all = *a;
+    change.apply(&mut all, parts::<P, H, N, M>);
     all
 }
 
@@ -203,21 +202,18 @@ fn differences<const P: usize, const H: usize, const N: usize, const M: usize, c
     all
 }
 
-/// Rows in the basis of differences as rows of the parts.
+/// A vector in the basis of differences as one of the parts.
 #[inline(always)]
-fn parts<const P: usize, const H: usize, const N: usize, const M: usize, const W: usize>(
-    rows: &[[f64; W]; M],
-) -> [[f64; W]; N] {
-    let mut all = [[0.0; W]; N];
+fn parts<const P: usize, const H: usize, const N: usize, const M: usize>(
+    vector: &[f64; M],
+) -> [f64; N] {
+    let mut all = [0.0; N];
     for i in 0..H {
-        let mut sum = [0.0; W];
+        let mut sum = 0.0;
         for k in (1..P).rev() {
-            let weight = weight(k);
-            let row = &rows[(k - 1) * H + i];
-            for ((entry, sum), x) in all[k * H + i].iter_mut().zip(&mut sum).zip(row) {
-                *entry = *sum - k as f64 * weight * x;
-                *sum += weight * x;
-            }
+            let x = weight(k) * vector[(k - 1) * H + i];
+            all[k * H + i] = sum - k as f64 * x;
+            sum += x;
         }
         all[i] = sum;
     }
