@@ -151,21 +151,10 @@ fn with_eigenvalues_replaced(matrix: DMatrix<f64>, replace: impl Fn(f64) -> f64)
 /// A symmetric sparse matrix with its eigenvalues replaced: each set of rows that hang together by itself.
 pub fn sparse_with_eigenvalues(matrix: &CsMat<f64>, replace: impl Fn(f64) -> f64) -> CsMat<f64> {
     let n = matrix.rows();
-    let mut parent: Vec<usize> = (0..n).collect();
-    fn root(parent: &mut [usize], mut k: usize) -> usize {
-        while parent[k] != k {
-            parent[k] = parent[parent[k]];
-            k = parent[k];
-        }
-        k
-    }
-    for (_, (i, j)) in matrix {
-        let (a, b) = (root(&mut parent, i), root(&mut parent, j));
-        parent[a.max(b)] = a.min(b);
-    }
+    let roots = super::linear::connected(n, matrix.iter().map(|(_, at)| at));
     let mut parts: std::collections::BTreeMap<usize, Triplets> = std::collections::BTreeMap::new();
     for (value, (i, j)) in matrix {
-        let part = parts.entry(root(&mut parent, i));
+        let part = parts.entry(roots[i]);
         let part = part.or_insert_with(|| Triplets::new(n, n));
         part.add(i, j, *value);
     }

@@ -274,7 +274,7 @@ pub fn orthogonal_basis(a: &impl Array<Item = f64>, fault: Fault) -> Fallible<DM
     Ok(left.columns(0, rank).into_owned())
 }
 
-/// A symmetric matrix with its eigenvalues replaced.
+/// A symmetric matrix with its eigenvalues replaced: each set of rows that hang together by itself.
 pub fn with_eigenvalues<R: Build<Item = f64>>(
     a: &impl Array<Item = f64>,
     f: impl Fn(f64) -> f64,
@@ -287,7 +287,75 @@ pub fn with_eigenvalues<R: Build<Item = f64>>(
         return nans(matrix.nrows(), matrix.ncols());
     }
     let symmetric = (&matrix + matrix.transpose()) * 0.5;
-    let eigen = symmetric.symmetric_eigen();
-    let values = DMatrix::from_diagonal(&eigen.eigenvalues.map(f));
-    super::reshape(&(&eigen.eigenvectors * values * eigen.eigenvectors.transpose()))
+    let n = symmetric.nrows();
+    let entries = (0..n).flat_map(|j| (0..j).map(move |i| (i, j)));
+    let roots = connected(n, entries.filter(|at| symmetric[*at] != 0.0));
+    let mut parts = std::collections::BTreeMap::<usize, Vec<usize>>::new();
+    for (k, root) in roots.into_iter().enumerate() {
+        parts.entry(root).or_default().push(k);
+    }
+    let mut all = DMatrix::zeros(n, n);
+    for rows in parts.values() {
+        if let [k] = rows[..] {
+            all[(k, k)] = f(symmetric[(k, k)]);
+            continue;
+        }
+        let part = DMatrix::from_fn(rows.len(), rows.len(), |i, j| symmetric[(rows[i], rows[j])]);
+        let eigen = part.symmetric_eigen();
+        let values = DMatrix::from_diagonal(&eigen.eigenvalues.map(&f));
+        let part = &eigen.eigenvectors * values * eigen.eigenvectors.transpose();
+        for (j, column) in rows.iter().enumerate() {
+            for (i, row) in rows.iter().enumerate() {
+                all[(*row, *column)] = part[(i, j)];
+            }
+        }
+    }
+    super::reshape(&all)
+}
+
+/// For each row of a square matrix the first one that it hangs together with, by the places of entries.
+pub(super) fn connected(n: usize, entries: impl Iterator<Item = (usize, usize)>) -> Vec<usize> {
+    fn root(parent: &mut [usize], mut k: usize) -> usize {
+        while parent[k] != k {
+            parent[k] = parent[parent[k]];
+            k = parent[k];
+        }
+        k
+    }
+    let mut parent: Vec<usize> = (0..n).collect();
+    for (i, j) in entries {
+        let (a, b) = (root(&mut parent, i), root(&mut parent, j));
+        parent[a.max(b)] = a.min(b);
+    }
+    (0..n).map(|k| root(&mut parent, k)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A large diagonal matrix with a few blocks.
+    #[test]
+    fn parts_are_replaced_by_themselves() {
+        let n = 486;
+        let mut a = DMatrix::from_fn(n, n, |i, j| match i == j {
+            true => i as f64 - 200.0,
+            false => 0.0,
+        });
+        // [1 2; 2 1] at rows that are not next to each other: eigenvalues 3 and -1
+        for (i, j) in [(3, 400), (40, 7)] {
+            (a[(i, i)], a[(j, j)]) = (1.0, 1.0);
+            (a[(i, j)], a[(j, i)]) = (2.0, 2.0);
+        }
+        let found: DMatrix<f64> = with_eigenvalues(&a, |x| x.max(0.0));
+        for i in 0..n {
+            for j in 0..n {
+                let expected = match [3, 400, 40, 7].contains(&i) {
+                    true if a[(i, j)] != 0.0 => 1.5,
+                    _ => a[(i, j)].max(0.0),
+                };
+                assert!((found[(i, j)] - expected).abs() < 1e-14, "{i} {j}");
+            }
+        }
+    }
 }

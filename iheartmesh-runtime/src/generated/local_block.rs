@@ -2,7 +2,9 @@
 
 use super::Part;
 use super::array::Array;
-use super::spectrum::{has_positive_pivots, is_positive_semidefinite, replaced, replacement};
+use super::spectrum::{
+    has_positive_pivots, is_positive_semidefinite, largest, replaced, replacement,
+};
 
 /// A block of `N` rows: `P` parts of a height `H`. `M` is the number of rows without one part.
 #[derive(Clone, Debug)]
@@ -142,8 +144,9 @@ fn merged<const P: usize, const H: usize, const N: usize>(
 /// Whether a symmetric matrix does not change when all parts move together, up to rounding: the parts of each column add up to
 /// 0. Blocks of what depends on differences of items alone are such.
 fn is_of_differences<const P: usize, const H: usize, const N: usize>(a: &[[f64; N]; N]) -> bool {
-    let entries = a.iter().flatten();
-    let largest = entries.fold(0.0f64, |most, x| most.max(x.abs()));
+    let Some(largest) = largest(a) else {
+        return false;
+    };
     let small = 16.0 * N as f64 * f64::EPSILON * largest;
     P > 1
         && (0..H).all(|i| {

@@ -27,6 +27,7 @@ mod spectrum;
 mod steps;
 mod table;
 mod touch;
+mod tridiagonal;
 
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use array::*;
