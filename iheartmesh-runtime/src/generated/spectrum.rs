@@ -275,7 +275,7 @@ mod tests {
         let sign = if change.factor == 1.0 { -1.0 } else { 1.0 };
         let mut known: Vec<f64> = eigenvalues.iter().map(|x| (sign * x).max(0.0)).collect();
         known.sort_by(|x, y| y.total_cmp(x));
-        let unit = (times * scale.max(f64::MIN_POSITIVE).min(f64::MAX / 4.0)).sqrt();
+        let unit = (times * scale.clamp(f64::MIN_POSITIVE, f64::MAX / 4.0)).sqrt();
         let vectors = change.vectors.map(|vector| vector.map(|x| x / unit));
         let mut found = [0.0; N];
         for i in 0..N {
