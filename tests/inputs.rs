@@ -1,11 +1,15 @@
 //! Parameters of a struct of the less usual kinds: subsets, sets of numbers, cellular sets, tuples, two meshes.
 
 use iheartmesh::glam::DVec3;
-use iheartmesh::{CellularSet, Edge, Error, Face, FaceMesh, Set, Vertex, iheartmesh};
+use iheartmesh::{CellularSet, Edge, Error, Face, FaceMesh, Set, Vertex};
 
-iheartmesh! {
-    /// Subsets and sets of other kinds.
-    pub struct Inputs = r#"
+#[macro_use]
+#[path = "support/twice.rs"]
+mod twice;
+
+programs! {
+    // Subsets and sets of other kinds.
+    Inputs, PlainInputs = r#"
         ElementSets from MeshConnectivity
         Vertices, Faces, BoundaryVertices from Neighborhoods(M)
         M : FaceMesh
@@ -24,64 +28,44 @@ iheartmesh! {
         far(T) = ∑_(v ∈ T) x_v where T ⊂ BoundaryVertices
     "#;
 
-    #[without(all)]
-    pub struct PlainInputs = r#"
-        ElementSets from MeshConnectivity
-        Vertices, Faces, BoundaryVertices from Neighborhoods(M)
-        M : FaceMesh
-        V, E, F = ElementSets(M)
-        R ∈ {ℝ}
-        x_i ∈ ℝ³
-        s ∈ BoundaryVertices
-        S ⊂ BoundaryVertices
-        D : CellularSet
-        count = |R|
-        largest = max(R)
-        touched = Vertices(D)
-        `part of D` = |Faces(D)|
-        corner(v) = x_v where v ∈ S
-        here = x_s
-        far(T) = ∑_(v ∈ T) x_v where T ⊂ BoundaryVertices
-    "#;
-
-    /// Two sequences with one subscript letter.
-    pub struct Pairs = r#"
+    // Two sequences with one subscript letter.
+    Pairs, PlainPairs = r#"
         a_i ∈ ℝ
         b_i ∈ ℝ³
         c ∈ ℝ
         d(k) = a_k b_k where k ∈ ℤ
     "#;
 
-    /// A sequence that is a parameter of a function, and indexed by elements there.
-    pub struct Weights = r#"
+    // A sequence that is a parameter of a function, and indexed by elements there.
+    Weights, PlainWeights = r#"
         ElementSets from MeshConnectivity
         M : FaceMesh
         V, E, F = ElementSets(M)
         w(y) = ∑_(v ∈ V) y_v where y_i ∈ ℝ
     "#;
 
-    /// A set of pairs.
-    pub struct Indices = r#"
+    // A set of pairs.
+    Indices, PlainIndices = r#"
         P ∈ {ℤ×ℤ}
         n = |P|
     "#;
 
-    /// A tuple.
-    pub struct Tuple = r#"
+    // A tuple.
+    Tuple, PlainTuple = r#"
         t ∈ ℝ×ℤ
         y = t_1 t_2
     "#;
 
-    /// A function of values on a mesh.
-    pub struct Total = r#"
+    // A function of values on a mesh.
+    Total, PlainTotal = r#"
         ElementSets from MeshConnectivity
         M : FaceMesh
         V, E, F = ElementSets(M)
         total(y) = ∑_(v ∈ V) y_v where y : V → ℝ
     "#;
 
-    /// Two meshes, whose elements have one type in Rust.
-    pub struct Two = r#"
+    // Two meshes, whose elements have one type in Rust.
+    Two, PlainTwo = r#"
         ElementSets from MeshConnectivity
         M : FaceMesh
         N : FaceMesh
@@ -105,8 +89,9 @@ fn vertices(ids: &[u32]) -> Set<Vertex> {
     ids.iter().copied().map(Vertex::new).collect()
 }
 
-macro_rules! check_inputs {
-    ($name:ident) => {
+for_both! {
+    #[test]
+    fn subsets_and_sets_of_other_kinds() {
         let (mesh, x) = fan();
         let numbers = Set::from([0.5, 2.0, 2.0]);
         let cellular = CellularSet {
@@ -116,7 +101,7 @@ macro_rules! check_inputs {
             ..CellularSet::default()
         };
         let (s, set) = (Vertex::new(1), vertices(&[2, 3]));
-        let mut a = $name::new(&mesh, &numbers, &x, s, &set, &cellular).unwrap();
+        let mut a = Inputs::new(&mesh, &numbers, &x, s, &set, &cellular).unwrap();
         assert_eq!((a.count(), a.largest(), a.part_of_D()), (2, 2.0, 2));
         assert_eq!((a.touched(), a.here()), (vertices(&[3]), x[1]));
         assert_eq!(
@@ -144,7 +129,7 @@ macro_rules! check_inputs {
 
         // parameters of the struct that are not in their set
         let new = |s, set: &Set<Vertex>, cells: &CellularSet| {
-            $name::new(&mesh, &numbers, x, Vertex::new(s), set, cells).err()
+            Inputs::new(&mesh, &numbers, x, Vertex::new(s), set, cells).err()
         };
         assert_eq!(new(3, &vertices(&[1, 3]), &cellular), None);
         assert!(new(9, &set, &cellular).is_some() && new(1, &vertices(&[9]), &cellular).is_some());
@@ -163,78 +148,68 @@ macro_rules! check_inputs {
         assert!(new(1, &set, &far).is_some(), "there is no edge 6");
         assert!(a.set_D(far).is_err() && a.set_s(Vertex::new(0)).is_err());
         assert!(a.set_S(vertices(&[0])).is_err());
-    };
-}
+    }
 
-#[test]
-fn subsets_and_sets_of_other_kinds() {
-    check_inputs!(Inputs);
-}
+    #[test]
+    fn sequences_of_one_letter_have_one_length() {
+        let x = [DVec3::X, DVec3::Y];
+        let mut p = Pairs::new([1.0, 2.0], x, 0.0).unwrap();
+        assert_eq!(p.d(2), 2.0 * DVec3::Y);
+        let expected = "`a` has 3 items but `b` has 2: they are declared with the same subscript and must have one length";
+        assert_eq!(
+            Pairs::new([1.0; 3], x, 0.0).err().unwrap().to_string(),
+            expected
+        );
+        assert_eq!(p.set_a([1.0; 3]).unwrap_err().to_string(), expected);
+        let expected = "`b` has 1 items but `a` has 2: they are declared with the same subscript and must have one length";
+        assert_eq!(p.set_b([DVec3::X]).unwrap_err().to_string(), expected);
+        assert_eq!(p.d(1), DVec3::X);
+        assert!(matches!(p.try_d(3), Err(Error::Undefined { .. })));
+        assert!(matches!(p.try_d(0), Err(Error::Undefined { .. })));
+    }
 
-#[test]
-fn subsets_and_sets_without_optimisation() {
-    check_inputs!(PlainInputs);
-}
+    #[test]
+    fn tuples_and_sets_of_them() {
+        let p = Indices::new(Set::from([(1, 2), (3, 4), (1, 2)])).unwrap();
+        assert_eq!(p.n(), 2);
+        let mut t = Tuple::new((1.5, 2)).unwrap();
+        assert_eq!(t.y(), 3.0);
+        t.set_t((2.5, -2)).unwrap();
+        assert_eq!(t.y(), -5.0);
+    }
 
-#[test]
-fn sequences_of_one_letter_have_one_length() {
-    let x = [DVec3::X, DVec3::Y];
-    let mut p = Pairs::new([1.0, 2.0], x, 0.0).unwrap();
-    assert_eq!(p.d(2), 2.0 * DVec3::Y);
-    let expected = "`a` has 3 items but `b` has 2: they are declared with the same subscript and must have one length";
-    assert_eq!(
-        Pairs::new([1.0; 3], x, 0.0).err().unwrap().to_string(),
-        expected
-    );
-    assert_eq!(p.set_a([1.0; 3]).unwrap_err().to_string(), expected);
-    let expected = "`b` has 1 items but `a` has 2: they are declared with the same subscript and must have one length";
-    assert_eq!(p.set_b([DVec3::X]).unwrap_err().to_string(), expected);
-    assert_eq!(p.d(1), DVec3::X);
-    assert!(matches!(p.try_d(3), Err(Error::Undefined { .. })));
-    assert!(matches!(p.try_d(0), Err(Error::Undefined { .. })));
-}
+    #[test]
+    fn functions_of_values() {
+        let (mesh, _) = fan();
+        let total = Total::new(&mesh).unwrap();
+        assert_eq!(total.total([1.0, 2.0, 3.0, 4.0]), 10.0);
+        assert_eq!(total.total(vec![1.0; 4]), 4.0);
+        assert!(total.try_total([1.0; 3]).is_err());
+        assert!(total.try_total([1.0; 5]).is_err());
+    }
 
-#[test]
-fn tuples_and_sets_of_them() {
-    let p = Indices::new(Set::from([(1, 2), (3, 4), (1, 2)])).unwrap();
-    assert_eq!(p.n(), 2);
-    let mut t = Tuple::new((1.5, 2)).unwrap();
-    assert_eq!(t.y(), 3.0);
-    t.set_t((2.5, -2)).unwrap();
-    assert_eq!(t.y(), -5.0);
-}
+    #[test]
+    fn two_meshes() {
+        let (mesh, _) = fan();
+        let other = FaceMesh::from_triangles(3, &[[0, 1, 2]]).unwrap();
+        let two = Two::new(&mesh, &other, [1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0]).unwrap();
+        assert_eq!((two.f(Vertex::new(3)), two.g(Vertex::new(2))), (4.0, 7.0));
+        assert_eq!(two.f((Vertex::new(3), Vertex::new(2))), -3.0);
+        assert_eq!(
+            two.try_g(Vertex::new(3)).unwrap_err().to_string(),
+            "parameter `v` of `g` is vertex 3, which is not in `A` (3 members)"
+        );
+    }
 
-#[test]
-fn functions_of_values() {
-    let (mesh, _) = fan();
-    let total = Total::new(&mesh).unwrap();
-    assert_eq!(total.total([1.0, 2.0, 3.0, 4.0]), 10.0);
-    assert_eq!(total.total(vec![1.0; 4]), 4.0);
-    assert!(total.try_total([1.0; 3]).is_err());
-    assert!(total.try_total([1.0; 5]).is_err());
-}
-
-#[test]
-fn two_meshes() {
-    let (mesh, _) = fan();
-    let other = FaceMesh::from_triangles(3, &[[0, 1, 2]]).unwrap();
-    let two = Two::new(&mesh, &other, [1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0]).unwrap();
-    assert_eq!((two.f(Vertex::new(3)), two.g(Vertex::new(2))), (4.0, 7.0));
-    assert_eq!(two.f((Vertex::new(3), Vertex::new(2))), -3.0);
-    assert_eq!(
-        two.try_g(Vertex::new(3)).unwrap_err().to_string(),
-        "parameter `v` of `g` is vertex 3, which is not in `A` (3 members)"
-    );
-}
-
-#[test]
-fn a_sequence_that_is_too_short_for_the_elements_that_index_it() {
-    let mesh = FaceMesh::from_triangles(4, &[[0, 1, 2], [1, 3, 2]]).unwrap();
-    let module = Weights::new(&mesh).unwrap();
-    assert_eq!(module.w([1.0, 2.0, 3.0, 4.0]), 10.0);
-    let error = module.try_w([1.0, 2.0]).unwrap_err().to_string();
-    assert!(
-        error.contains("the sequence has no such item in `y_v`"),
-        "{error}"
-    );
+    #[test]
+    fn a_sequence_that_is_too_short_for_the_elements_that_index_it() {
+        let mesh = FaceMesh::from_triangles(4, &[[0, 1, 2], [1, 3, 2]]).unwrap();
+        let module = Weights::new(&mesh).unwrap();
+        assert_eq!(module.w([1.0, 2.0, 3.0, 4.0]), 10.0);
+        let error = module.try_w([1.0, 2.0]).unwrap_err().to_string();
+        assert!(
+            error.contains("the sequence has no such item in `y_v`"),
+            "{error}"
+        );
+    }
 }

@@ -289,9 +289,7 @@ impl<'a> Checker<'a> {
                 continue;
             }
             if let Some(element) = element {
-                let dimension = Dimension::atom(Atom::Count(element));
-                let size = self.add(Kind::Size(dimension.clone()), Type::INTEGER);
-                ranges.push((dimension, size));
+                ranges.push(self.count(element));
                 continue;
             }
             let help = "its range follows from what it indexes on the right side; where it indexes nothing, \

@@ -3,6 +3,7 @@
 use super::Checker;
 use super::scope::Found;
 use crate::diagnostic::Diagnostic;
+use crate::ir::{ExprId, Kind};
 use crate::resolve::{Meaning, ModuleId};
 use crate::syntax::ast::{
     Condition, ConditionKind, Definition, Expr, ExprKind, Head, Name, NormSubscript, Subscript,
@@ -75,6 +76,13 @@ impl<'a> Checker<'a> {
             Type::Element(element) => Some(*element),
             _ => None,
         }
+    }
+
+    /// The number of elements of a kind, as a dimension and as a value: the range of an index over all of them.
+    pub(super) fn count(&mut self, element: Element) -> (Dimension, ExprId) {
+        let dimension = Dimension::atom(Atom::Count(element));
+        let size = self.add(Kind::Size(dimension.clone()), Type::INTEGER);
+        (dimension, size)
     }
 
     /// Whether an axis of what is defined has an entry for each of the elements that index it.

@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Fold, InputId, Kind, Layout, Pairs, Range, SetOp, Unary, VariableId};
 use crate::resolve::names::FreeNames;
 use crate::syntax::ast::{self, CompareOp, Condition, ConditionKind, Expr, ExprKind, Name};
-use crate::types::{Atom, Dimension, Element, Type};
+use crate::types::{Element, Type};
 
 impl<'a> Checker<'a> {
     /// The cells of a matrix of a type with known sizes.
@@ -280,9 +280,7 @@ impl<'a> Checker<'a> {
                 continue;
             }
             if let Some(element) = element {
-                let dimension = Dimension::atom(Atom::Count(element));
-                let size = self.add(Kind::Size(dimension.clone()), Type::INTEGER);
-                ranges.push((dimension, size));
+                ranges.push(self.count(element));
                 continue;
             }
             ranges.extend(self.index_range(*variable, name));

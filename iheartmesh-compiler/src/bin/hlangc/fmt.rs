@@ -29,16 +29,9 @@ struct Arguments {
 
 /// Formats what the words after `fmt` ask for.
 pub fn main(words: impl Iterator<Item = OsString>) -> ExitCode {
-    let arguments = match arguments(words) {
-        Ok(Some(arguments)) => arguments,
-        Ok(None) => {
-            println!("{USAGE}");
-            return ExitCode::SUCCESS;
-        }
-        Err(message) => {
-            eprintln!("error: {message}\n\n{USAGE}");
-            return ExitCode::FAILURE;
-        }
+    let arguments = match super::or_usage(arguments(words), USAGE) {
+        Ok(arguments) => arguments,
+        Err(end) => return end,
     };
     let mut success = true;
     for file in &arguments.files {

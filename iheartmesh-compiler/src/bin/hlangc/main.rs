@@ -56,16 +56,9 @@ fn main() -> ExitCode {
     if words.next().is_some_and(|word| word == "fmt") {
         return fmt::main(words);
     }
-    let arguments = match arguments() {
-        Ok(Some(arguments)) => arguments,
-        Ok(None) => {
-            println!("{USAGE}");
-            return ExitCode::SUCCESS;
-        }
-        Err(message) => {
-            eprintln!("error: {message}\n\n{USAGE}");
-            return ExitCode::FAILURE;
-        }
+    let arguments = match or_usage(arguments(), USAGE) {
+        Ok(arguments) => arguments,
+        Err(end) => return end,
     };
     match run(&arguments) {
         Ok(text) => {
@@ -76,6 +69,21 @@ fn main() -> ExitCode {
         Err(message) => {
             eprintln!("{}", message.trim_end());
             ExitCode::FAILURE
+        }
+    }
+}
+
+/// The arguments that were read; or what ends the command, after it has said how it is used: asked for, or because of a mistake.
+fn or_usage<T>(arguments: Result<Option<T>, String>, usage: &str) -> Result<T, ExitCode> {
+    match arguments {
+        Ok(Some(arguments)) => Ok(arguments),
+        Ok(None) => {
+            println!("{usage}");
+            Err(ExitCode::SUCCESS)
+        }
+        Err(message) => {
+            eprintln!("error: {message}\n\n{usage}");
+            Err(ExitCode::FAILURE)
         }
     }
 }
