@@ -3,6 +3,7 @@
 //!
 //! Each pass is a file with a function `run`; [`Optimizations`] turns each one off, so that tests can compare.
 
+mod binders;
 pub mod binding;
 mod cores;
 mod corners;
@@ -20,6 +21,8 @@ pub use plan::{MayFail, is_within, may_overflow};
 pub mod rewrite;
 mod share;
 pub mod show;
+mod sums;
+pub mod tables;
 mod traverse;
 mod triangles;
 
@@ -258,6 +261,8 @@ pub struct StagedProgram {
     pub functions: BTreeMap<FunctionId, Staged>,
     /// How definitions that depend on values are evaluated.
     pub globals: BTreeMap<GlobalId, Staged>,
+    /// Where the rows of all plans are stored.
+    pub tables: tables::Tables,
     /// Which optimisations were made.
     pub optimizations: Optimizations,
 }
@@ -278,6 +283,8 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     }
     if optimizations.share {
         share::run(&mut program);
+        binders::run(&mut program);
+        sums::run(&mut program);
     }
     cores::run(&mut program);
     debug_assert_eq!(crate::ir::validate::validate(&program), Ok(()));
@@ -287,6 +294,7 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
         static_globals: binding.globals.clone(),
         functions: BTreeMap::new(),
         globals: BTreeMap::new(),
+        tables: tables::Tables::default(),
         optimizations,
         program,
     };
@@ -301,5 +309,6 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     if optimizations.plan && optimizations.orbits {
         orbits::run(&mut staged);
     }
+    tables::run(&mut staged, optimizations.share);
     staged
 }

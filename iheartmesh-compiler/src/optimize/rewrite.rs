@@ -45,6 +45,34 @@ pub fn upward(
     done
 }
 
+/// Replaces variables that nothing inside binds, by expressions whose variables nothing inside binds either; binders stay
+/// as they are. The memo is that of one map.
+pub fn put(
+    arena: &mut Arena,
+    e: ExprId,
+    variables: &HashMap<VariableId, ExprId>,
+    memo: &mut HashMap<ExprId, ExprId>,
+) -> ExprId {
+    let node = arena.node(e);
+    if !node.free.iter().any(|v| variables.contains_key(v)) {
+        return e;
+    }
+    if let Kind::Variable(variable) = &node.kind {
+        return variables[variable];
+    }
+    if let Some(&done) = memo.get(&e) {
+        return done;
+    }
+    let (kind, ty) = (node.kind.clone(), node.ty.clone());
+    let kind = kind.map_operands(|operand| put(arena, operand, variables, memo));
+    let done = arena.add(kind, ty);
+    if let Some(span) = arena.origin(e) {
+        arena.note_origin(done, span);
+    }
+    memo.insert(e, done);
+    done
+}
+
 /// Replaces variables by expressions. Binders inside get new variables, so that each variable keeps one binder.
 pub fn substitute(arena: &mut Arena, e: ExprId, variables: &HashMap<VariableId, ExprId>) -> ExprId {
     let mut substitution = Substitution {
@@ -112,7 +140,7 @@ impl Substitution {
 }
 
 /// The variables that an expression binds.
-fn bound_variables(kind: &mut Kind) -> &mut [VariableId] {
+pub fn bound_variables(kind: &mut Kind) -> &mut [VariableId] {
     match kind {
         Kind::Fold { variable, .. }
         | Kind::Scatter { variable, .. }

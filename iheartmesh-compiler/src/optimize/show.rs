@@ -72,7 +72,12 @@ fn plan(staged: &StagedProgram, plan: &Plan, text: &mut String) {
         let parent = space
             .parent
             .map_or(String::new(), |p| format!(" of {}", name(p)));
-        let _ = writeln!(text, "    rows {}{parent}: {rows}", name(space.variable));
+        let table = match staged.tables.of.get(&space.variable) {
+            Some(table) if *table != space.variable => format!(", stored as {}", name(*table)),
+            _ => String::new(),
+        };
+        let variable = name(space.variable);
+        let _ = writeln!(text, "    rows {variable}{parent}: {rows}{table}");
         if let Some(corners) = plan.corners.iter().find(|c| c.space == space.variable) {
             turned(corners, text);
             continue;

@@ -412,11 +412,6 @@ pub(super) fn variable_ident(context: &Context<'_>, variable: VariableId) -> Ide
     format_ident!("v{}_{}", variable.0, name)
 }
 
-/// The table of a space.
-pub(super) fn table_name(variable: VariableId) -> Ident {
-    format_ident!("rows{}", variable.0)
-}
-
 /// The current row of a space.
 pub(super) fn row_name(variable: VariableId) -> Ident {
     format_ident!("row{}", variable.0)

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::block::{Body, is_copy, number_name, row_name, table_name};
+use super::block::{Body, is_copy, number_name, row_name};
 use crate::ir::{Kind, Range, VariableId};
 use crate::optimize::Rows;
 use crate::types::Type;
@@ -50,7 +50,7 @@ impl Body<'_> {
         let Some(space) = self.plan.space(variable) else {
             panic!("bug in iheartmesh: no rows for a loop");
         };
-        let table = table_name(variable);
+        let table = self.context.table_name(variable);
         let row = row_name(variable);
         let name = self.variable_name(variable);
         match space.rows {
@@ -89,7 +89,7 @@ impl Body<'_> {
 
     /// A loop over the rows of an outermost space with their numbers in `range`.
     fn some_rows_head(&mut self, variable: VariableId) -> TokenStream {
-        let (table, row) = (table_name(variable), row_name(variable));
+        let (table, row) = (self.context.table_name(variable), row_name(variable));
         let name = self.variable_name(variable);
         let is_universe = self
             .plan

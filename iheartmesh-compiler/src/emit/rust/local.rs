@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::block::{Body, Mode, row_name, table_name};
+use super::block::{Body, Mode, row_name};
 use super::plan::PlanCode;
 use crate::ir::{FunctionId, Kind, VariableId};
 use crate::optimize::{Local, Rows, is_read_from_row};
@@ -22,7 +22,7 @@ impl Context<'_> {
         }
         let space = self.staged.functions[&id].plan.spaces.first()?;
         let n = Literal::usize_unsuffixed(space.columns.len());
-        Some((table_name(space.variable), row_name(space.variable), n))
+        Some((self.table_name(space.variable), row_name(space.variable), n))
     }
 
     /// The table of local rows.
@@ -30,7 +30,7 @@ impl Context<'_> {
         let Some((of, _, n)) = self.row_of_function(local.function) else {
             return;
         };
-        let (name, table) = (plan_name(local), table_name(local.space));
+        let (name, table) = (plan_name(local), self.table_name(local.space));
         let count = Literal::usize_unsuffixed(local.calls.len());
         let columns = local.calls.iter().map(|c| Literal::u32_unsuffixed(c.1));
         code.fields
@@ -93,7 +93,7 @@ impl Body<'_> {
         if locals.is_empty() || !is_below_key {
             return quote!(for #row in #rows);
         }
-        let table = table_name(space);
+        let table = self.context.table_name(space);
         let (mut pattern, mut iterator) = (row, quote!(#rows.iter()));
         for local in &locals {
             let (plan, slots) = (plan_name(local), slots_name(local));

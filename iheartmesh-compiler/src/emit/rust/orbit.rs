@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::block::{Body, Mode, table_name, variable_ident};
+use super::block::{Body, Mode, variable_ident};
 use super::item::field_name;
 use super::place::{RegionId, Roots};
 use super::plan::PlanCode;
@@ -15,14 +15,34 @@ use crate::optimize::{Orbit, Plan, Staged, Whole};
 use crate::types::Type;
 
 impl Context<'_> {
-    fn orbit_name(&self, id: FunctionId) -> Ident {
-        format_ident!("orbits{}", id.0)
+    fn orbit_name(&self, id: FunctionId, orbit: &Orbit) -> Ident {
+        format_ident!("orbits{}", self.first_with_orbits(id, orbit).0)
+    }
+
+    /// The first function whose rows form the same groups.
+    fn first_with_orbits(&self, id: FunctionId, orbit: &Orbit) -> FunctionId {
+        let groups = |id: FunctionId, orbit: &Orbit| {
+            let key = self.program().function(id).parameters[0].ty.clone();
+            let table = self.table_name(orbit.space);
+            let exchange = (orbit.columns.clone(), orbit.permutation.clone());
+            (key, table, exchange, orbit.terms.len())
+        };
+        let own = groups(id, orbit);
+        let orbit_of = |staged: &'_ Staged| staged.whole.as_ref()?.orbit.clone();
+        let mut functions = self.staged.functions.iter();
+        let same = functions.find(|(other, staged)| {
+            orbit_of(staged).is_some_and(|orbit| groups(**other, &orbit) == own)
+        });
+        same.map_or(id, |(first, _)| *first)
     }
 
     /// The table of the orbits of a function.
     pub(super) fn orbit_plan(&self, id: FunctionId, orbit: &Orbit, code: &mut PlanCode) {
-        let name = self.orbit_name(id);
-        let table = table_name(orbit.space);
+        if self.first_with_orbits(id, orbit) != id {
+            return;
+        }
+        let name = self.orbit_name(id, orbit);
+        let table = self.table_name(orbit.space);
         let elements = Literal::usize_unsuffixed(orbit.elements.len());
         let members = Literal::usize_unsuffixed(orbit.terms.len());
         let columns = orbit.columns.iter().map(|c| Literal::u32_unsuffixed(*c));
@@ -86,9 +106,9 @@ impl Context<'_> {
                 quote!(#prepare),
             ),
             Some(orbit) => {
-                let orbits = self.orbit_name(id);
+                let orbits = self.orbit_name(id, orbit);
                 let functions = self.orbit_functions(id, staged, orbit, &fields);
-                let (grouped, table) = (grouped_name(id), table_name(orbit.space));
+                let (grouped, table) = (grouped_name(id), self.table_name(orbit.space));
                 quote! {
                     #functions
                     fn #name(s: &State<'_>) -> rt::Whole<#result> {
@@ -151,7 +171,7 @@ impl Context<'_> {
     /// Whether the rows that use fields are more than the elements of these.
     fn fields_pay(&self, plan: &Plan, whole: &Whole) -> TokenStream {
         let rows = plan.spaces.iter().filter(|s| s.rows.is_several()).map(|s| {
-            let table = table_name(s.variable);
+            let table = self.table_name(s.variable);
             quote!(s.plans.#table.len())
         });
         let elements =

@@ -1,10 +1,10 @@
 //! Plans: their tables, and the code that fills them.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::block::{Body, Mode, row_name, table_name, variable_ident};
+use super::block::{Body, Mode, row_name, variable_ident};
 use super::place::{RegionId, Roots};
 use crate::ir::{ExprId, VariableId};
 use crate::optimize::{Corners, Plan, Rows, Space};
@@ -24,19 +24,22 @@ pub(super) struct PlanCode {
 }
 
 impl Context<'_> {
+    /// The table that holds the rows of a space.
+    pub(super) fn table_name(&self, space: VariableId) -> Ident {
+        let table = self.staged.tables.of.get(&space).unwrap_or(&space);
+        format_ident!("rows{}", table.0)
+    }
+
     /// The code of all plans.
     pub(super) fn plans(&self) -> PlanCode {
         let mut code = PlanCode::default();
         let staged = self.staged;
-        for plan in staged
-            .functions
-            .values()
-            .chain(staged.globals.values())
-            .map(|s| &s.plan)
-        {
-            for root in plan.below(None) {
-                self.tree(plan, root, &mut code);
-            }
+        let tables = &staged.tables.plan;
+        for root in tables.below(None) {
+            self.tree(tables, root, &mut code);
+        }
+        let functions = staged.functions.values();
+        for plan in functions.chain(staged.globals.values()).map(|s| &s.plan) {
             for corners in &plan.corners {
                 self.turned(plan, corners, &mut code);
             }
@@ -60,7 +63,7 @@ impl Context<'_> {
         if stored.is_empty() {
             return;
         }
-        let tables: Vec<_> = stored.iter().map(|s| table_name(s.variable)).collect();
+        let tables: Vec<_> = stored.iter().map(|s| self.table_name(s.variable)).collect();
         let types: Vec<_> = stored.iter().map(|s| self.table_type(s)).collect();
         let build = format_ident!("build{}", root.variable.0);
         code.fields.extend(quote!(#(pub #tables: #types,)*));
@@ -119,7 +122,10 @@ impl Context<'_> {
         let (Some(space), Some(of)) = (plan.space(corners.space), plan.space(corners.of)) else {
             return;
         };
-        let (turned, rows) = (table_name(space.variable), table_name(of.variable));
+        let (turned, rows) = (
+            self.table_name(space.variable),
+            self.table_name(of.variable),
+        );
         let ty = self.table_type(space);
         let circle = corners.circle.map(Literal::u32_unsuffixed);
         let kept = corners.kept.iter().map(|k| Literal::u32_unsuffixed(*k));
@@ -184,7 +190,7 @@ impl Context<'_> {
         regions: &std::collections::BTreeMap<VariableId, usize>,
         body: &mut Body<'_>,
     ) -> TokenStream {
-        let table = table_name(space.variable);
+        let table = self.table_name(space.variable);
         let region = RegionId(regions[&space.variable]);
         let results: Vec<ExprId> = space.columns.iter().map(|c| c.value).collect();
         let name = variable_ident(self, space.variable);
@@ -251,7 +257,7 @@ impl Context<'_> {
         if !is_stored(space) {
             return TokenStream::new();
         }
-        let (table, row) = (table_name(space.variable), row_name(space.variable));
+        let (table, row) = (self.table_name(space.variable), row_name(space.variable));
         let name = variable_ident(self, space.variable);
         quote!(let #row = s.plans.#table.row(#name as usize);)
     }
