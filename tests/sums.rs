@@ -99,7 +99,7 @@ for_both! {
     #[test]
     fn sums_over_one_ring() {
         let (mesh, x, a) = fan();
-        let module = Around::new(&mesh, &x, &a).unwrap();
+        let module = Around::new(&mesh, x, a).unwrap();
         let around = |v: usize| RING[v].iter().copied();
         let total = |v| around(v).map(|w| a[w]).sum::<f64>();
 
@@ -154,7 +154,7 @@ for_both! {
         let a = [-1.0, 1.0, 2.0, 3.0, 4.0];
         let inside = 2.0 * (1.0 - 1000.0) + 3.0 * (10.0 - 1.0) + 4.0 * (100.0 - 10.0) + 5.0 * (1000.0 - 100.0);
         let outside: f64 = (1..5).map(|v| RING[v].iter().map(|w| a[*w]).sum::<f64>()).sum();
-        let mut module = Chosen::new(&mesh, &a, &b, &i).unwrap();
+        let mut module = Chosen::new(&mesh, a, b, i).unwrap();
         assert_near(module.y(), inside + outside);
         // at vertex 1, at the boundary, it has no value
         module.set_a([-1.0, -1.0, 2.0, 3.0, 4.0]).unwrap();

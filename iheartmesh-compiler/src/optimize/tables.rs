@@ -8,7 +8,7 @@
 //! Several sums over a neighbourhood, in one definition or in several, need the same rows. Whether two spaces have the same
 //! is seen from the sets that their rows are the members of. A table has the columns that any of its spaces needs, but is at
 //! most twice as wide as the narrowest of them: what is read beside what is needed costs time. Rows that are turned
-//! ([`super::corners`]) change afterwards, and keep a table of their own.
+//! (the pass `corners`) change afterwards, and keep a table of their own.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -70,7 +70,7 @@ fn is_fixed(code: &Staged) -> bool {
 /// A table.
 struct Entry {
     space: Space,
-    /// What the rows are the members of, and the columns, as [`Binders::form`] gives them.
+    /// What the rows are the members of, and the columns, as the forms of the pass `binders`.
     set: Option<ExprId>,
     columns: Vec<ExprId>,
     /// The number of columns that each of its spaces that has some needs at least.
