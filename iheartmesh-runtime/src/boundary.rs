@@ -19,6 +19,9 @@ pub type BoundaryMatrix = CsMatI<i8, u32>;
 /// Largest number of elements of one kind: `sprs` needs one more than it to be a `u32`.
 pub(crate) const MAX_ELEMENTS: usize = u32::MAX as usize - 1;
 
+/// Largest number of edges: ∂¹ has two entries for each, whose number must be a `u32` too.
+pub(crate) const MAX_EDGES: usize = u32::MAX as usize / 2;
+
 /// The parts of a compressed-column matrix before they become a [`BoundaryMatrix`].
 pub(crate) struct Columns {
     pub(crate) pointers: Vec<u32>,

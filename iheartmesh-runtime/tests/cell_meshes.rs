@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use iheartmesh_runtime::{BoundaryMatrix, Cell, CellMesh, Edge, Vertex};
+use iheartmesh_runtime::{BoundaryMatrix, Cell, CellMesh, Edge, Face, Set, Vertex};
 
 #[path = "../../tests/support/random.rs"]
 #[allow(dead_code)]
@@ -401,8 +401,37 @@ fn grids() {
         [usize::MAX, 1, 1],
         [1 << 20, 1 << 20, 1 << 20],
         [1 << 10, 1 << 10, 1 << 11],
+        // 1.6·10⁹ vertices, but 38·10⁹ corners of sides
+        [40_000, 40_000, 1],
     ] {
         let [nx, ny, nz] = sizes;
         assert!(CellMesh::grid(nx, ny, nz).is_err());
     }
+}
+
+#[test]
+fn queries() {
+    let ids = |set: &Set<Face>| set.iter().map(|f| f.id()).collect::<Vec<_>>();
+    // the second shares a face with the first, and is inverted
+    let two = [[0, 1, 2, 3], [1, 2, 3, 4]];
+    let mesh = CellMesh::from_tetrahedra(6, &two).unwrap();
+    assert_eq!(ids(&mesh.boundary_faces()), [0, 1, 2, 4, 5, 6]);
+    assert_eq!(mesh.boundary_edges().len(), 9);
+    assert_eq!(mesh.boundary_vertices().len(), 5);
+    assert_eq!(mesh.isolated_vertices().as_ref(), [Vertex::new(5)]);
+    assert!(mesh.non_manifold_faces().is_empty() && !mesh.is_closed());
+    let turned = CellMesh::from_tetrahedra(6, &[two[0], [2, 1, 3, 4]]).unwrap();
+    assert_ne!(
+        mesh.is_consistently_oriented(),
+        turned.is_consistently_oriented()
+    );
+    assert!(mesh.is_orientable() && turned.is_orientable());
+    // three tetrahedra at one face
+    let three = CellMesh::from_tetrahedra(6, &[two[0], two[1], [1, 2, 3, 5]]).unwrap();
+    assert_eq!(ids(&three.non_manifold_faces()).len(), 1);
+    assert!(!three.is_orientable() && !three.is_consistently_oriented());
+    // a cell and its mirror image close up
+    let closed = CellMesh::from_tetrahedra(4, &[[0, 1, 2, 3], [1, 0, 2, 3]]).unwrap();
+    assert!(closed.is_closed() && closed.is_consistently_oriented());
+    assert!(closed.boundary_vertices().is_empty());
 }

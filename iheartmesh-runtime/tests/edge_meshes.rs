@@ -2,7 +2,7 @@
 //! all distances, and whatever is malformed.
 
 use iheartmesh_runtime::glam::{DVec2, DVec3};
-use iheartmesh_runtime::{BoundaryMatrix, EdgeMesh, FaceMesh, MeshError, Vertex};
+use iheartmesh_runtime::{BoundaryMatrix, EdgeMesh, FaceMesh, MeshError, Set, Vertex};
 
 #[path = "../../tests/support/random.rs"]
 #[allow(dead_code)]
@@ -249,6 +249,38 @@ fn grids_of_edges_and_of_faces_agree() {
     assert!(FaceMesh::grid(1 << 17, 1 << 17).is_err());
 }
 
+/// ∂¹ has two entries for each edge, so there may be half as many edges as a `u32` can number.
+#[test]
+fn too_many_edges_is_an_error_before_memory_is_taken() {
+    // 3.2·10⁹ edges, 6.4·10⁹ corners
+    for error in [
+        EdgeMesh::grid(40_000, 40_000).unwrap_err(),
+        FaceMesh::grid(40_000, 40_000).unwrap_err(),
+    ] {
+        let is_right = matches!(
+            error,
+            MeshError::TooManyElements { maximum, .. } | MeshError::TooManyCorners { maximum, .. }
+                if maximum == u32::MAX as usize / 2
+        );
+        assert!(is_right, "{error}");
+    }
+    // each of 10⁵ points is a neighbour of all others
+    let points: Vec<[f64; 2]> = (0..100_000).map(|k| [f64::from(k), 0.0]).collect();
+    let error = EdgeMesh::from_k_nearest(&points, usize::MAX).unwrap_err();
+    assert!(
+        matches!(error, MeshError::TooManyElements { count, .. } if count == 99_999 * 50_000),
+        "{error}"
+    );
+}
+
+#[test]
+fn ends_and_isolated_vertices() {
+    let mesh = EdgeMesh::from_edges(6, &[[0, 1], [1, 2], [2, 4], [4, 1]]).unwrap();
+    let ids = |set: Set<Vertex>| set.iter().map(|v| v.id()).collect::<Vec<_>>();
+    assert_eq!(ids(mesh.boundary_vertices()), [0]);
+    assert_eq!(ids(mesh.isolated_vertices()), [3, 5]);
+}
+
 /// Very many copies of few points: in time that grows with the number of points, not with its square.
 #[test]
 fn copies_of_points() {
@@ -280,4 +312,15 @@ fn copies_of_points() {
         let few = mesh.vertices().map(|v| mesh.vertex_edges(v).len()).min();
         assert_eq!((mesh.n_vertices(), few), (50_000, Some(6)), "{different}");
     }
+}
+
+/// Points in ascending order: a tree that is built in this order is a list, and 200 000 of them would take minutes.
+#[test]
+fn points_on_a_line() {
+    let points: Vec<[f64; 2]> = (0..200_000).map(|k| [f64::from(k), 0.0]).collect();
+    let mesh = EdgeMesh::from_k_nearest(&points, 2).unwrap();
+    // the two at the ends reach one further
+    assert_eq!(mesh.n_edges(), 199_999 + 2);
+    let mesh = EdgeMesh::from_radius(&points, 2.0).unwrap();
+    assert_eq!(mesh.n_edges(), 199_999 + 199_998);
 }

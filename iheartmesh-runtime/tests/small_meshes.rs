@@ -324,3 +324,25 @@ fn too_many_faces_is_an_error_before_memory_is_taken() {
         assert!(matches!(error, MeshError::TooManyCorners { .. }), "{error}");
     }
 }
+
+#[test]
+fn non_manifold_vertices() {
+    let non_manifold = |n, faces: &[[u32; 3]]| {
+        let mesh = FaceMesh::from_triangles(n, faces).unwrap();
+        let found = mesh.non_manifold_vertices();
+        assert_eq!(mesh.is_manifold(), found.is_empty());
+        found.iter().map(|v| v.id()).collect::<Vec<u32>>()
+    };
+    // a fan, a disk whose faces are listed crosswise, and an isolated vertex
+    assert_eq!(non_manifold(5, &[[0, 1, 2], [0, 2, 3]]), []);
+    let disk = [[0, 1, 2], [0, 4, 5], [0, 3, 4], [0, 2, 3], [0, 5, 1]];
+    assert_eq!(non_manifold(7, &disk), []);
+    // two triangles that touch at a vertex; two disks
+    assert_eq!(non_manifold(5, &[[0, 1, 2], [2, 3, 4]]), [2]);
+    let cone = |a, b, c, d| [[a, b, c], [a, c, d], [a, d, b]];
+    let disks = [cone(0, 1, 2, 3), cone(0, 4, 5, 6)].concat();
+    assert_eq!(non_manifold(7, &disks), [0]);
+    // three faces at an edge
+    assert_eq!(non_manifold(5, &[[0, 1, 2], [0, 1, 3], [0, 1, 4]]), [0, 1]);
+    assert_eq!(non_manifold(3, &[]), []);
+}

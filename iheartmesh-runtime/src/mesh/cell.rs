@@ -256,14 +256,6 @@ impl CellMesh {
         });
         Ok((FaceMesh::from_polygons(self.n_vertices(), polygons)?, faces))
     }
-
-    /// Whether every face has at most two cells, and where it has two it is seen from both sides.
-    pub fn is_consistently_oriented(&self) -> bool {
-        self.faces().all(|face| {
-            let (_, signs) = self.complex().coboundary_column(3, face.index());
-            signs.len() < 2 || (signs.len() == 2 && signs[0] != signs[1])
-        })
-    }
 }
 
 accessors! {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::MeshError;
 use super::accessors::accessors;
 use super::graph::{self, Point};
-use crate::boundary::{self, BoundaryMatrix, Columns, MAX_ELEMENTS};
+use crate::boundary::{self, BoundaryMatrix, Columns, MAX_EDGES, MAX_ELEMENTS};
 use crate::complex::CellComplex;
 use crate::element::{Edge, ElementKind, ElementSlice, Elements, Vertex};
 
@@ -43,7 +43,8 @@ impl EdgeMesh {
     /// # Errors
     /// - [`MeshError::VertexOutOfRange`] if an edge names a vertex that is not below `n_vertices`;
     /// - [`MeshError::RepeatedVertex`] if both ends of one are the same vertex;
-    /// - [`MeshError::TooManyElements`] if 32 bits cannot number the elements.
+    /// - [`MeshError::TooManyElements`] if 32 bits cannot number the vertices, or the entries of ∂¹: more than 2³¹ − 1 edges
+    ///   are given.
     ///
     /// Of several bad edges the first is reported.
     pub fn from_edges(n_vertices: usize, edges: &[[u32; 2]]) -> Result<EdgeMesh, MeshError> {
@@ -80,9 +81,9 @@ impl EdgeMesh {
     ///
     /// # Errors
     /// [`MeshError::NotFinite`] for a point with a coordinate that is not finite, [`MeshError::TooManyElements`] if
-    /// 32 bits cannot number the elements.
+    /// 32 bits cannot number the points, or if there are more than 2³¹ − 1 edges; these are counted before they are kept.
     pub fn from_k_nearest<P: Point>(points: &[P], k: usize) -> Result<EdgeMesh, MeshError> {
-        Self::from_graph(points.len(), graph::k_nearest(points, k)?)
+        Ok(Self::from_pairs(points.len(), graph::k_nearest(points, k)?))
     }
 
     /// The edges between all pairs of different points whose distance is at most `radius`.
@@ -93,12 +94,10 @@ impl EdgeMesh {
     /// Those of [`from_k_nearest`](Self::from_k_nearest), and [`MeshError::InvalidRadius`] unless `radius` is a number
     /// that is at least 0.
     pub fn from_radius<P: Point>(points: &[P], radius: f64) -> Result<EdgeMesh, MeshError> {
-        Self::from_graph(points.len(), graph::within_radius(points, radius)?)
-    }
-
-    fn from_graph(n_vertices: usize, pairs: Vec<[u32; 2]>) -> Result<EdgeMesh, MeshError> {
-        check_count(ElementKind::Edge, pairs.len())?;
-        Ok(Self::from_pairs(n_vertices, pairs))
+        Ok(Self::from_pairs(
+            points.len(),
+            graph::within_radius(points, radius)?,
+        ))
     }
 
     /// The mesh of pairs, each with the smaller vertex first.
@@ -146,11 +145,15 @@ accessors! {
 
 /// At most as many elements of a kind as can be numbered.
 pub(super) fn check_count(kind: ElementKind, count: usize) -> Result<(), MeshError> {
-    match count > MAX_ELEMENTS {
+    let maximum = match kind {
+        ElementKind::Edge => MAX_EDGES,
+        _ => MAX_ELEMENTS,
+    };
+    match count > maximum {
         true => Err(MeshError::TooManyElements {
             kind,
             count,
-            maximum: MAX_ELEMENTS,
+            maximum,
         }),
         false => Ok(()),
     }

@@ -203,7 +203,7 @@ accessors! {
 }
 face_accessors!(FaceMesh);
 
-fn check_sizes(n_vertices: usize, n_corners: usize) -> Result<(), MeshError> {
+pub(super) fn check_sizes(n_vertices: usize, n_corners: usize) -> Result<(), MeshError> {
     if n_vertices > MAX_ELEMENTS {
         return Err(MeshError::TooManyElements {
             kind: ElementKind::Vertex,

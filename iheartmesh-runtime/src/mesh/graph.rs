@@ -1,6 +1,7 @@
 //! Which points are neighbours.
 
 use std::cmp::Ordering;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use glam::{DVec2, DVec3, DVec4};
 use kdtree::KdTree;
@@ -9,6 +10,7 @@ use rayon::prelude::*;
 
 use super::MeshError;
 use super::edge::check_count;
+use crate::boundary::MAX_EDGES;
 use crate::element::ElementKind;
 
 /// A point of ℝ², ℝ³ or ℝ⁴.
@@ -78,6 +80,23 @@ fn scaled<P: Point>(point: P, scale: f64) -> P::Coordinates {
     coordinates
 }
 
+/// All numbers below `n`, each once, such that the first ones of them are spread evenly, however many these are: steps of
+/// about the golden section of `n`.
+fn spread(n: usize) -> impl Iterator<Item = usize> {
+    fn divisor(a: usize, b: usize) -> usize {
+        if b == 0 { a } else { divisor(b, a % b) }
+    }
+    let golden = (n as f64 * 0.618_033_988_749_894_8) as usize;
+    let step = (golden.max(1)..)
+        .find(|&step| divisor(step, n) == 1)
+        .unwrap_or(1);
+    (0..n).scan(0, move |next, _| {
+        let this = *next;
+        *next = (this + step) % n;
+        Some(this)
+    })
+}
+
 /// All points, those with the same coordinates together: a cloud may have very many copies of a point.
 struct Cloud<P: Point> {
     /// The tree of different points, each with the number of its group.
@@ -110,18 +129,22 @@ impl<P: Point> Cloud<P> {
         };
         members.par_sort_unstable_by(order);
         let mut starts = Vec::new();
-        let mut tree = KdTree::with_capacity(P::DIMENSION, 32);
         for (place, &index) in members.iter().enumerate() {
             let is_new = place
                 .checked_sub(1)
                 .is_none_or(|before| coordinates(members[before]) != coordinates(index));
             if is_new {
-                tree.add(coordinates(index), starts.len() as u32)
-                    .map_err(|_| MeshError::NotFinite {
-                        point: index as usize,
-                    })?;
                 starts.push(place as u32);
             }
+        }
+        let mut tree = KdTree::with_capacity(P::DIMENSION, 32);
+        // not in ascending order, for which the tree would become a list
+        for group in spread(starts.len()) {
+            let index = members[starts[group] as usize];
+            tree.add(coordinates(index), group as u32)
+                .map_err(|_| MeshError::NotFinite {
+                    point: index as usize,
+                })?;
         }
         starts.push(members.len() as u32);
         Ok(Cloud {
@@ -140,6 +163,11 @@ impl<P: Point> Cloud<P> {
 
 /// The pairs (smaller number first, maybe twice) of which one is among the `k` nearest of the other.
 pub(super) fn k_nearest<P: Point>(points: &[P], k: usize) -> Result<Vec<[u32; 2]>, MeshError> {
+    // each pair is found at most twice
+    let n_found = k
+        .min(points.len().saturating_sub(1))
+        .saturating_mul(points.len());
+    check_count(ElementKind::Edge, n_found.div_ceil(2))?;
     let cloud = Cloud::new(points)?;
     if k == 0 {
         return Ok(Vec::new());
@@ -195,31 +223,89 @@ pub(super) fn within_radius<P: Point>(
         return Err(MeshError::InvalidRadius);
     }
     let cloud = Cloud::new(points)?;
-    let radius = radius * cloud.scale;
+    pairs_within(&cloud, points, radius * cloud.scale, KEPT)
+}
+
+/// As many pairs within a radius are kept at once; where there are more, all are counted first.
+const KEPT: usize = 1 << 27;
+
+fn pairs_within<P: Point>(
+    cloud: &Cloud<P>,
+    points: &[P],
+    radius: f64,
+    kept: usize,
+) -> Result<Vec<[u32; 2]>, MeshError> {
+    let n_pairs = AtomicUsize::new(0);
     let pairs_of = |index: usize| -> Vec<[u32; 2]> {
+        if n_pairs.load(Relaxed) > MAX_EDGES {
+            return Vec::new();
+        }
         let point = scaled(points[index], cloud.scale);
         // a little more than the square, which may be rounded; the distance decides
         let bound = radius * radius * (1.0 + 1e-12);
-        let mut pairs: Vec<[u32; 2]> = cloud
+        let found = cloud
             .tree
             .within(point.as_ref(), bound, &squared_euclidean)
-            .unwrap_or_default()
+            .unwrap_or_default();
+        let others = found
             .into_iter()
             .filter(|(squared, _)| squared.sqrt() <= radius)
             .flat_map(|(_, &group)| cloud.group(group))
-            .filter(|other| **other as usize > index)
-            .map(|&other| pair(index, other))
-            .collect();
+            .filter(|other| **other as usize > index);
+        if n_pairs.load(Relaxed) > kept {
+            n_pairs.fetch_add(others.count(), Relaxed);
+            return Vec::new();
+        }
+        let mut pairs: Vec<[u32; 2]> = others.map(|&other| pair(index, other)).collect();
+        n_pairs.fetch_add(pairs.len(), Relaxed);
         pairs.sort_unstable();
         pairs
     };
-    Ok((0..points.len())
+    let pairs: Vec<[u32; 2]> = (0..points.len())
         .into_par_iter()
         .flat_map_iter(pairs_of)
-        .collect())
+        .collect();
+    let count = n_pairs.into_inner();
+    check_count(ElementKind::Edge, count)?;
+    match pairs.len() < count {
+        // some were counted only
+        true => {
+            drop(pairs);
+            pairs_within(cloud, points, radius, usize::MAX)
+        }
+        false => Ok(pairs),
+    }
 }
 
 fn pair(index: usize, other: u32) -> [u32; 2] {
     let index = index as u32;
     [index.min(other), index.max(other)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_of_the_tree_has_each_point_once() {
+        for n in (0..200).chain([9_699_690, 1 << 16]) {
+            let mut is_there = vec![false; n];
+            spread(n).for_each(|k| is_there[k] = true);
+            assert!(is_there.iter().all(|is_there| *is_there), "{n}");
+        }
+    }
+
+    #[test]
+    fn pairs_are_the_same_when_they_are_counted_first() {
+        let points: Vec<[f64; 2]> = (0..60)
+            .map(|k| [f64::from(k % 8), f64::from(k / 8)])
+            .collect();
+        let cloud = Cloud::new(&points).unwrap();
+        for radius in [0.0, 1.0, 2.5, f64::INFINITY] {
+            let all = pairs_within(&cloud, &points, radius, usize::MAX).unwrap();
+            for kept in [0, 10, 1000] {
+                assert_eq!(pairs_within(&cloud, &points, radius, kept).unwrap(), all);
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::cell::check_sizes;
 use super::edge::check_count;
-use super::{CellMesh, EdgeMesh, FaceMesh, MeshError};
+use super::{CellMesh, EdgeMesh, FaceMesh, MeshError, face};
 use crate::boundary::MAX_ELEMENTS;
 use crate::element::ElementKind;
 
@@ -24,9 +24,10 @@ impl FaceMesh {
     /// squares run counter-clockwise where x points right and y up.
     ///
     /// # Errors
-    /// [`MeshError::TooManyElements`] if 32 bits cannot number the elements.
+    /// [`MeshError::TooManyElements`], [`MeshError::TooManyCorners`] if 32 bits cannot number the elements.
     pub fn grid(nx: usize, ny: usize) -> Result<FaceMesh, MeshError> {
         let n = n_vertices(&[nx, ny])?;
+        face::check_sizes(n, nx.saturating_mul(ny).saturating_mul(4))?;
         let vertex = |i: usize, j: usize| (i + (nx + 1) * j) as u32;
         let squares = (0..ny).flat_map(|j| {
             (0..nx).map(move |i| {
@@ -50,9 +51,10 @@ impl CellMesh {
     /// [`MeshError::TooManyElements`], [`MeshError::TooManyCorners`] if 32 bits cannot number the elements.
     pub fn grid(nx: usize, ny: usize, nz: usize) -> Result<CellMesh, MeshError> {
         let n = n_vertices(&[nx, ny, nz])?;
-        check_sizes(n, nx * ny * nz, 24 * nx * ny * nz)?;
+        let n_cells = nx * ny * nz;
+        check_sizes(n, n_cells, n_cells.saturating_mul(24))?;
         let vertex = |i: usize, j: usize, k: usize| (i + (nx + 1) * (j + (ny + 1) * k)) as u32;
-        let mut cubes = Vec::with_capacity(nx * ny * nz);
+        let mut cubes = Vec::with_capacity(n_cells);
         for k in 0..nz {
             for j in 0..ny {
                 for i in 0..nx {

@@ -43,7 +43,11 @@ impl CellMesh {
         };
         let (mut cell_starts, mut cell_corners) = (vec![0], Vec::new());
         let mut scratch = Vec::new();
-        for (element, cell) in cells.into_iter().enumerate() {
+        let cells = cells.into_iter();
+        // a cell has four sides of three corners at least
+        let n_cells = cells.size_hint().0;
+        check_sizes(n_vertices, n_cells, n_cells.saturating_mul(12))?;
+        for (element, cell) in cells.enumerate() {
             let cell = cell.as_ref();
             let first = sides.corners.len();
             for side in cell {
@@ -88,6 +92,9 @@ impl CellMesh {
         tetrahedra: &[[u32; 4]],
         hexahedra: &[[u32; 8]],
     ) -> Result<CellMesh, MeshError> {
+        let n_cells = tetrahedra.len() + hexahedra.len();
+        let n_corners = 12 * tetrahedra.len() + 24 * hexahedra.len();
+        check_sizes(n_vertices, n_cells, n_corners)?;
         let mut scratch = Vec::new();
         let corners = tetrahedra.iter().map(|cell| &cell[..]);
         let corners = corners.chain(hexahedra.iter().map(|cell| &cell[..]));
