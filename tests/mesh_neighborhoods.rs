@@ -344,6 +344,54 @@ impl<'a> CellWays<'a> {
         }
     }
 
+    /// From a face to its edges, across them to faces of the same cell, and across faces to cells.
+    fn walks(&self) {
+        let solid = self.soup;
+        for e in 0..solid.edges.len() as u32 {
+            let mut sheaf: Parts = [0, 1, 2, 3].map(|to| solid.touching(1, &[e], to));
+            sheaf[1] = vec![e];
+            let edge = Edge::new(e);
+            check!(self, try_Diamond, try_sheaf(edge), Some(numbers(&sheaf)));
+            for f in 0..solid.faces.len() as u32 {
+                let face = Face::new(f);
+                let [before, after] = match edges_around(solid, f, e) {
+                    Some(around) => around.map(|e| Some(vec![e])),
+                    None => [None, None],
+                };
+                check!(self, try_NextEdgeAroundFace, try_after(face, edge), after);
+                check!(
+                    self,
+                    try_PreviousEdgeAroundFace,
+                    try_before(face, edge),
+                    before
+                );
+            }
+        }
+        for c in 0..solid.cells.len() as u32 {
+            let (cell, own) = (Cell::new(c), solid.parts(3, c, 2));
+            for f in 0..solid.faces.len() as u32 {
+                let face = Face::new(f);
+                let others = without(solid.touching(2, &[f], 3), &[c]);
+                let behind = others.first().filter(|_| own.contains(&f));
+                let behind = behind.map(|&d| vec![d]);
+                check!(self, try_OppositeCell, try_behind(cell, face), behind);
+                for e in 0..solid.edges.len() as u32 {
+                    let is_side = own.contains(&f) && solid.parts(2, f, 1).contains(&e);
+                    let at_edge = |g: &&u32| **g != f && solid.parts(2, **g, 1).contains(&e);
+                    let beside = own.iter().find(at_edge).filter(|_| is_side);
+                    let beside = beside.map(|&g| vec![g]);
+                    let edge = Edge::new(e);
+                    check!(
+                        self,
+                        try_NeighborFaceInCell,
+                        try_beside(cell, face, edge),
+                        beside
+                    );
+                }
+            }
+        }
+    }
+
     fn indices(&self, v: [u32; 4]) {
         let solid = self.soup;
         let [a, b, c, d] = v.map(Vertex::new);
@@ -386,6 +434,7 @@ fn check_cells(solid: &Solid) {
     check_graph!(ways);
     check_sets!(ways, 3);
     ways.touching();
+    ways.walks();
     ways.boundary();
     (0..solid.faces.len() as u32).for_each(|f| ways.face(f));
     let mut random = Random(solid.n.into());
