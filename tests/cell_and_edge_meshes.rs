@@ -1,11 +1,16 @@
-//! Programs on cell meshes and edge meshes.
+//! Programs on cell meshes and edge meshes, and with boundary matrices as matrices of numbers.
 use iheartmesh::glam::DVec3;
-use iheartmesh::nalgebra::DVector;
-use iheartmesh::{Cell, CellMesh, EdgeMesh, Vertex};
+use iheartmesh::nalgebra::{DMatrix, DVector};
+use iheartmesh::sprs::CsMat;
+use iheartmesh::{Cell, CellMesh, EdgeMesh, Element, FaceMesh, Set, SetItem, Vertex};
 
 #[macro_use]
 #[path = "support/twice.rs"]
 mod twice;
+
+fn ids<E: Element + SetItem>(set: Set<E>) -> Vec<u32> {
+    set.iter().map(|element| element.id()).collect()
+}
 
 programs! {
     Volumes, PlainVolumes = r#"
@@ -31,6 +36,40 @@ programs! {
         Y = `∂¹` `∂²`
         y = L s
         t = sᵀ L s + (2 `∂⁰`ᵀ s)⋅d
+    "#;
+    Numbers, PlainNumbers = r#"
+        ElementSets, BoundaryMatrices, UnsignedBoundaryMatrices from MeshConnectivity
+        NonZeros, ValueSet, IndicatorVector from MeshConnectivity
+        VertexOneRing from Neighborhoods(M)
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        `∂⁰`, `∂¹` = BoundaryMatrices(M)
+        `B⁰`, `B¹` = UnsignedBoundaryMatrices(M)
+        u : V → ℝ
+        w : E → ℝ
+        S ⊂ V
+        heads = ½(`∂⁰` + `B⁰`)
+        tails = -`∂⁰` ∘ heads + heads - `∂⁰`
+        square = ‖`∂¹`‖² + `B¹` : `∂¹`
+        wide = [`∂⁰` `B⁰`]
+        column(e) = `∂⁰`_*,e where e ∈ E
+        row(v) = `∂⁰`_v,* where v ∈ V
+        sizes = #`∂¹`
+        inside = IndicatorVector(S)ᵀ u + ‖IndicatorVector(S)‖ + 2 IndicatorVector(S) ⋅ u
+        masked = u ∘ IndicatorVector(S) - `B⁰` w
+        around(v) = (`∂⁰`ᵀ IndicatorVector({v}))ᵀ w where v ∈ V
+        member(v) = IndicatorVector(VertexOneRing(v))_v + IndicatorVector(S)_v where v ∈ V
+        positive = NonZeros(u)
+        half = ValueSet(u, ½)
+        flat = NonZeros(`∂⁰`ᵀ u)
+        untouched = ValueSet(`B⁰`ᵀ IndicatorVector(S), 0)
+        few(k) = ValueSet(`B⁰` IndicatorVector(E), k) where k ∈ ℤ
+        free(f) = NonZeros(`B⁰` `B¹` IndicatorVector({f})) where f ∈ F
+        bound(f) = NonZeros(`B⁰` (`B¹` IndicatorVector({f}))) where f ∈ F
+        nothing(f) = NonZeros(`∂⁰` `∂¹` IndicatorVector({f})) where f ∈ F
+        signed = { `∂⁰` if |S| > 2
+                   `B⁰` otherwise
+        total = signed IndicatorVector(E)
     "#;
     Means, PlainMeans = r#"
         ElementSets from MeshConnectivity
@@ -87,6 +126,74 @@ for_both! {
         assert_eq!((module.Z().rows(), module.Z().cols()), (5, 7));
         let squares: f64 = differences.iter().map(|d| d * d).sum();
         assert!((module.t() - 3.0 * squares).abs() < 1e-12);
+    }
+
+    #[test]
+    fn boundary_matrices_and_indicators_are_numbers() {
+        let faces: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 2, 3]];
+        let mesh = FaceMesh::from_triangles(6, &faces).unwrap();
+        let edges = [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3], [2, 4], [3, 4]];
+        let mut d = DMatrix::<f64>::zeros(6, 7);
+        for (e, [tail, head]) in edges.into_iter().enumerate() {
+            (d[(tail, e)], d[(head, e)]) = (-1.0, 1.0);
+        }
+        let b = d.map(f64::abs);
+        let u = DVector::from_row_slice(&[1.0, 0.5, 0.0, -2.0, 0.5, 0.0]);
+        let w = DVector::from_row_slice(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5]);
+        let chosen = [1, 2, 4].map(Vertex::new);
+        let set: Set<Vertex> = chosen.into_iter().collect();
+        let delta = DVector::from_row_slice(&[0.0, 1.0, 1.0, 0.0, 1.0, 0.0]);
+        let module = Numbers::new(&mesh, u.as_slice(), w.as_slice(), &set).unwrap();
+        let dense = |matrix: CsMat<f64>| {
+            let mut all = DMatrix::zeros(matrix.rows(), matrix.cols());
+            matrix.iter().for_each(|(entry, (i, j))| all[(i, j)] += *entry);
+            all
+        };
+        let heads = d.map(|x| x.max(0.0));
+        assert_eq!(dense(module.heads()), heads);
+        assert_eq!(dense(module.tails()), -d.component_mul(&heads) + &heads - &d);
+        // ∂¹ has three entries in each column: ±1
+        let signs: f64 = faces
+            .iter()
+            .flat_map(|[i, j, k]| [(i, j), (j, k), (k, i)])
+            .map(|(a, b)| if a < b { 1.0 } else { -1.0 })
+            .sum();
+        assert!((module.square() - (9.0 + signs)).abs() < 1e-12);
+        let wide = dense(module.wide());
+        assert_eq!((wide.columns(0, 7).into_owned(), wide.columns(7, 7).into_owned()), (d.clone(), b.clone()));
+        assert_eq!(module.sizes(), (7, 3));
+        for (e, edge) in mesh.edges().enumerate() {
+            assert_eq!(module.column(edge), d.column(e));
+        }
+        let inside = delta.dot(&u) + delta.norm() + 2.0 * delta.dot(&u);
+        assert!((module.inside() - inside).abs() < 1e-14);
+        assert!((module.masked() - (u.component_mul(&delta) - &b * &w)).norm() < 1e-12);
+        for (i, v) in mesh.vertices().enumerate() {
+            assert_eq!(module.row(v), d.row(i).transpose());
+            assert!((module.around(v) - (d.row(i) * &w)[0]).abs() < 1e-12);
+            assert_eq!(module.member(v), delta[i], "no vertex is in its own ring");
+        }
+        let where_ = |all: &[f64], is: &dyn Fn(f64) -> bool| -> Vec<u32> {
+            (0..all.len() as u32).filter(|&i| is(all[i as usize])).collect()
+        };
+        assert_eq!(ids(module.positive()), where_(u.as_slice(), &|x| x != 0.0));
+        assert_eq!(ids(module.half()), where_(u.as_slice(), &|x| x == 0.5));
+        let differences = d.tr_mul(&u);
+        assert_eq!(ids(module.flat()), where_(differences.as_slice(), &|x| x != 0.0));
+        let touched = b.tr_mul(&delta);
+        assert_eq!(ids(module.untouched()), where_(touched.as_slice(), &|x| x == 0.0));
+        let degrees = b.column_sum();
+        for k in [0, 2, 3, 9] {
+            assert_eq!(ids(module.few(k)), where_(degrees.as_slice(), &|x| x == k as f64));
+        }
+        for (corners, f) in faces.into_iter().zip(mesh.faces()) {
+            let mut corners = corners.to_vec();
+            corners.sort_unstable();
+            assert_eq!(ids(module.free(f)), corners);
+            assert_eq!(ids(module.bound(f)), corners);
+            assert!(module.nothing(f).is_empty(), "the boundary of a boundary");
+        }
+        assert_eq!(module.total(), d.column_sum());
     }
 
     #[test]

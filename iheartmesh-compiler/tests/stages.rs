@@ -124,6 +124,11 @@ fn piecewise() {
 }
 
 #[test]
+fn chains() {
+    check(&small("chains"));
+}
+
+#[test]
 fn sets() {
     check(&small("sets"));
 }

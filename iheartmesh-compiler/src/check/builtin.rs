@@ -13,8 +13,6 @@ use crate::types::{ELEMENT_KINDS, Element, ElementKind, MeshId, Shape, Type, mes
 const ORDINALS: [&str; 4] = ["first", "second", "third", "fourth"];
 
 /// What sparse vectors over elements are.
-const CHAIN: &str = "a product of boundary matrices and an indicator vector";
-
 fn elementary(name: &str) -> Option<Elementary> {
     Some(match name {
         "sin" => Elementary::Sin,
@@ -98,56 +96,15 @@ impl<'a> Checker<'a> {
             "ElementSets" => self.element_sets(&call),
             "BoundaryMatrices" => self.boundary_matrices(&call, true),
             "UnsignedBoundaryMatrices" => self.boundary_matrices(&call, false),
-            "IndicatorVector" => {
-                if !self.takes(&call, 1) {
-                    return self.error();
-                }
-                match self.ty(values[0]).element_of_set() {
-                    Some(element) => {
-                        let ty = self.chain(element);
-                        self.add(Kind::Indicator(values[0]), ty)
-                    }
-                    None => self.wrong(&call, 0, "a set of elements of a mesh"),
-                }
-            }
-            "NonZeros" => {
-                if !self.takes(&call, 1) {
-                    return self.error();
-                }
-                match self.chain_space(values[0]) {
-                    Some(space) => self.add(
-                        Kind::NonZeros(values[0]),
-                        Type::set_of(Type::Element(space)),
-                    ),
-                    None => self.wrong(&call, 0, CHAIN),
-                }
-            }
-            "ValueSet" => {
-                if !self.takes(&call, 2) {
-                    return self.error();
-                }
-                match (self.chain_space(values[0]), self.ty(values[1])) {
-                    (None, _) => self.wrong(&call, 0, CHAIN),
-                    (Some(space), ty) if *ty == Type::INTEGER => self.add(
-                        Kind::ValueSet(values[0], values[1]),
-                        Type::set_of(Type::Element(space)),
-                    ),
-                    _ => self.wrong(&call, 1, "an integer as its second argument"),
-                }
-            }
+            "IndicatorVector" => self.indicator(&call),
+            "NonZeros" => self.elements_by_value(&call, false),
+            "ValueSet" => self.elements_by_value(&call, true),
             "vertexset" => self.tagged_set(&call, ElementKind::Vertex),
             "edgeset" => self.tagged_set(&call, ElementKind::Edge),
             "faceset" => self.tagged_set(&call, ElementKind::Face),
             "cellset" => self.tagged_set(&call, ElementKind::Cell),
             "CellularSet" => self.cellular_set(&call),
             _ => self.unsupported(span, &format!("`{}` is", name.text)),
-        }
-    }
-
-    fn chain_space(&self, value: ExprId) -> Option<Element> {
-        match self.ty(value) {
-            Type::Vector { space, .. } => *space,
-            _ => None,
         }
     }
 

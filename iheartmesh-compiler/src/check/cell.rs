@@ -84,6 +84,7 @@ impl<'a> Checker<'a> {
             return Some(Cell::Identity(factor));
         }
         let value = self.expr(cell);
+        let value = self.in_numbers(value);
         let ty = self.ty(value).clone();
         if ty.is_error() {
             return None;

@@ -9,6 +9,7 @@ mod attribute;
 mod builtin;
 mod call;
 mod cell;
+mod chain;
 mod condition;
 mod declare;
 mod define;

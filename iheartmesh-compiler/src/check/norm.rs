@@ -17,6 +17,7 @@ impl<'a> Checker<'a> {
         subscript: Option<&'a NormSubscript>,
     ) -> ExprId {
         let value = self.expr(operand);
+        let value = self.in_numbers(value);
         let ty = self.ty(value).clone();
         if ty.is_error() {
             return value;

@@ -6,11 +6,16 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
 use crate::span::Span;
 use crate::syntax::ast::{BinaryOp, Expr, UnaryOp};
-use crate::types::{Dimension, Number, Shape, Type};
+use crate::types::{Dimension, Shape, Type};
 
 impl<'a> Checker<'a> {
     pub(super) fn unary(&mut self, e: &'a Expr, op: UnaryOp, operand: &'a Expr) -> ExprId {
         let value = self.expr(operand);
+        let value = match (op, self.program.arena.kind(value)) {
+            // the transpose of a boundary matrix is another one
+            (UnaryOp::Transpose, Kind::Boundary(_)) => value,
+            _ => self.in_numbers(value),
+        };
         let ty = self.ty(value).clone();
         if ty.is_error() {
             return value;
@@ -145,37 +150,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A boundary matrix as a value.
-    pub(super) fn boundary(&mut self, boundary: Boundary) -> ExprId {
-        let (rows, columns) = self.boundary_spaces(boundary);
-        let count = |element| crate::types::Dimension::atom(crate::types::Atom::Count(element));
-        let ty = Type::Matrix {
-            number: Number::Integer,
-            rows: count(rows),
-            columns: count(columns),
-            sparse: true,
-            spaces: Some((rows, columns)),
-        };
-        self.add(Kind::Boundary(boundary), ty)
-    }
-
-    /// What the rows and the columns of a boundary matrix stand for.
-    pub(super) fn boundary_spaces(
-        &self,
-        boundary: Boundary,
-    ) -> (crate::types::Element, crate::types::Element) {
-        let element = |dimension: u8| crate::types::Element {
-            kind: crate::types::ELEMENT_KINDS[dimension as usize],
-            mesh: boundary.mesh,
-        };
-        let (rows, columns) = (element(boundary.dimension - 1), element(boundary.dimension));
-        if boundary.transposed {
-            (columns, rows)
-        } else {
-            (rows, columns)
-        }
-    }
-
     pub(super) fn binary(
         &mut self,
         e: &'a Expr,
@@ -188,6 +162,11 @@ impl<'a> Checker<'a> {
         if self.is_wrong(a) || self.is_wrong(b) {
             return self.error();
         }
+        let is_product = matches!(op, BinaryOp::Juxtapose | BinaryOp::Dot);
+        if is_product && let Some(chain) = self.applied(a, b) {
+            return chain;
+        }
+        let (a, b) = self.both_in_numbers(a, b, is_product);
         // a right side has as many rows as the matrix, a factor as its columns
         let axis = u8::from(op != BinaryOp::Solve);
         let (a, b) = (

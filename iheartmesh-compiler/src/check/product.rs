@@ -3,37 +3,13 @@
 use super::Checker;
 use super::operator::{Sides, differ, extents};
 use super::wording::{NOT_NUMBERS, ONE_MESH};
-use crate::ir::{Binary, Boundary, ExprId, Kind, Unary};
+use crate::ir::{Binary, ExprId, Kind, Unary};
 use crate::span::Span;
 use crate::syntax::ast::ExprKind;
 use crate::types::display::plural;
 use crate::types::{Atom, Dimension, Number, Shape, Type};
 
 impl<'a> Checker<'a> {
-    /// A boundary matrix as a sparse matrix of numbers, where it is multiplied by such or by another one; anything else as
-    /// it is.
-    fn with_numbers(&mut self, e: ExprId, other: &Type) -> ExprId {
-        let beside = other.shape().is_some() || matches!(other, Type::Matrix { .. });
-        match self.ty(e).clone() {
-            Type::Matrix {
-                rows,
-                columns,
-                spaces: Some(_),
-                ..
-            } if beside => {
-                let ty = Type::Matrix {
-                    number: Number::Real,
-                    rows,
-                    columns,
-                    sparse: true,
-                    spaces: None,
-                };
-                self.add(Kind::Unary(Unary::ToReal, e), ty)
-            }
-            _ => e,
-        }
-    }
-
     /// A sequence of numbers as a vector, where it stands beside a vector or a matrix; anything else as it is. `axis` says
     /// which size of a matrix it must have.
     pub(super) fn with_entries(
@@ -104,7 +80,14 @@ impl<'a> Checker<'a> {
         {
             return self.mismatch(sides, "multiply", "and", &ta, &tb, ONE_MESH);
         }
-        let (a, b) = (self.with_numbers(a, &tb), self.with_numbers(b, &ta));
+        let is_chain = matches!(tb, Type::Vector { space: Some(_), .. });
+        let (a, b) = match is_chain {
+            true => (a, b),
+            false => (
+                self.in_numbers_beside(a, &tb),
+                self.in_numbers_beside(b, &ta),
+            ),
+        };
         let (ta, tb) = (self.ty(a).clone(), self.ty(b).clone());
         match (&ta, &tb) {
             (Type::Scalar(_), Type::Scalar(_)) => {
@@ -161,17 +144,15 @@ impl<'a> Checker<'a> {
                     space: Some(space), ..
                 },
             ) => {
-                if columns != space {
-                    let help = match columns.mesh == space.mesh {
-                        true => format!("this matrix takes chains of {}", plural(columns.kind)),
-                        false => ONE_MESH.to_owned(),
-                    };
-                    return self.mismatch(sides, "multiply", "and", &ta, &tb, &help);
+                if columns == space {
+                    let (a, b) = (self.in_numbers(a), self.in_numbers(b));
+                    return self.product(sides, a, b, dot);
                 }
-                let Kind::Boundary(boundary) = self.program.arena.kind(a).clone() else {
-                    return self.unsupported(sides.left.span, "this product is");
+                let help = match columns.mesh == space.mesh {
+                    true => format!("this matrix takes chains of {}", plural(columns.kind)),
+                    false => ONE_MESH.to_owned(),
                 };
-                self.apply(boundary, b)
+                self.mismatch(sides, "multiply", "and", &ta, &tb, &help)
             }
             (Type::Sequence { .. }, Type::Scalar(Number::Integer) | Type::Element(_))
             | (Type::Vector { space: None, .. }, Type::Element(_))
@@ -285,23 +266,6 @@ impl<'a> Checker<'a> {
         match self.ty(value).shape() {
             Some(own) if std::mem::discriminant(&own) == std::mem::discriminant(shape) => value,
             _ => self.add(Kind::Unary(Unary::Reshape, value), shape.clone().real()),
-        }
-    }
-
-    /// The product of a boundary matrix and a chain.
-    fn apply(&mut self, boundary: Boundary, chain: ExprId) -> ExprId {
-        let (rows, _) = self.boundary_spaces(boundary);
-        let ty = self.chain(rows);
-        self.add(Kind::Apply(boundary, chain), ty)
-    }
-
-    /// The type of chains of these elements.
-    pub(super) fn chain(&self, space: crate::types::Element) -> Type {
-        Type::Vector {
-            number: Number::Integer,
-            length: crate::types::Dimension::atom(crate::types::Atom::Count(space)),
-            sparse: true,
-            space: Some(space),
         }
     }
 

@@ -30,8 +30,14 @@ impl<'a> Checker<'a> {
             return value;
         }
         if subscripts.iter().any(|s| matches!(s, Subscript::All(_))) {
+            let value = self.in_numbers(value);
             return self.slice(e, base, value, subscripts);
         }
+        let value = match &ty {
+            Type::Vector { space: Some(_), .. } => self.in_numbers(value),
+            _ => value,
+        };
+        let ty = self.ty(value).clone();
         let mut indices = Vec::new();
         for subscript in subscripts {
             if let Subscript::Expr(index) = subscript {

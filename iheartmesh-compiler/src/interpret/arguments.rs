@@ -270,7 +270,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn count(&self, element: Element) -> usize {
+    pub(super) fn count(&self, element: Element) -> usize {
         self.meshes[&element.mesh].count(element_dimension(element.kind))
     }
 }

@@ -9,7 +9,7 @@ use super::array::{
 };
 use super::{Fault, Interpreter, Scope, Value, mesh};
 use crate::ir::{ExprId, Kind, SetOp};
-use crate::types::element_dimension;
+use crate::types::{Element, Type, element_dimension};
 
 type Result<T> = std::result::Result<T, Fault>;
 
@@ -41,10 +41,14 @@ impl<'a> Interpreter<'a> {
                 let arguments = self.list(scope, arguments)?;
                 self.apply(*id, arguments)?
             }
-            Kind::Unary(op, a) => {
-                let value = self.eval(scope, *a)?;
-                self.unary(e, *op, value)?
-            }
+            Kind::Unary(op, a) => match (self.eval(scope, *a)?, self.space(*a)) {
+                (Value::Chain(entries), Some(space)) => {
+                    let entry = |id| entries.get(&id).map_or(0.0, |entry| *entry as f64);
+                    let all: Vec<f64> = (0..self.count(space) as u32).map(entry).collect();
+                    Value::vector(&all)
+                }
+                (value, _) => self.unary(e, *op, value)?,
+            },
             Kind::Binary(op, a, b) => {
                 let (left, right) = (self.eval(scope, *a)?, self.eval(scope, *b)?);
                 self.binary(e, *op, left, right)?
@@ -208,7 +212,13 @@ impl<'a> Interpreter<'a> {
             Kind::NonZeros(a) => mesh::where_entry(&self.chain(scope, *a)?, |entry| entry != 0),
             Kind::ValueSet(a, value) => {
                 let (chain, value) = (self.chain(scope, *a)?, self.number(scope, *value)?);
-                mesh::where_entry(&chain, |entry| entry == value)
+                let Some(space) = self.space(*a) else {
+                    return Err(self.fault(e));
+                };
+                let n = self.count(space);
+                let entry = |id: &u32| chain.get(id).copied().unwrap_or(0);
+                let found = (0..n as u32).filter(|id| entry(id) == value);
+                Value::set(found.map(Value::Element))
             }
             Kind::Traverse(boundary, set) => {
                 let members = self.members(scope, *set)?;
@@ -291,6 +301,14 @@ impl<'a> Interpreter<'a> {
 
     pub(super) fn number(&self, scope: &mut Scope<'a>, e: ExprId) -> Result<i64> {
         Ok(integer(self.eval(scope, e)?))
+    }
+
+    /// Of which elements a value is a vector.
+    fn space(&self, e: ExprId) -> Option<Element> {
+        match self.ty(e) {
+            Type::Vector { space, .. } => *space,
+            _ => None,
+        }
     }
 
     pub(super) fn members(&self, scope: &mut Scope<'a>, e: ExprId) -> Result<Vec<Value>> {

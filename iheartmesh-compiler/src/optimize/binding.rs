@@ -91,12 +91,8 @@ impl Expressions<'_> {
             Kind::Input(id) => matches!(program.input(*id).ty, Type::Mesh(..)),
             Kind::Global(id) => self.binding.globals[id.0 as usize],
             Kind::Call(id, _) => self.binding.functions[id.0 as usize],
-            // a matrix of numbers is no table of the plan
-            Kind::Unary(Unary::ToReal, a)
-                if matches!(program.arena.kind(*a), Kind::Boundary(_)) =>
-            {
-                false
-            }
+            // a vector or matrix of numbers is no table of the plan
+            Kind::Unary(Unary::ToReal, a) if !program.arena.ty(*a).is_scalar() => false,
             Kind::Field(..) | Kind::Column(..) | Kind::HostCall(..) => false,
             Kind::Size(size) => size.is_of_meshes(),
             Kind::Tabulate { variables, .. } => {

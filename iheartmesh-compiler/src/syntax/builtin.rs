@@ -153,6 +153,8 @@ const CELL_NEIGHBORHOODS: &[&str] = &[
     "CellOneRing",
     "CellIndex",
     "OppositeCells",
+    "NeighborFaceInCell",
+    "OppositeCell",
     "OppositeEdge",
     "BoundaryFaces",
 ];

@@ -1,5 +1,6 @@
 //! Chains: sparse vectors over the elements of one kind, and their products with boundary matrices.
 
+use nalgebra::DVector;
 use sprs::{CsMat, TriMat};
 
 use super::Ids;
@@ -58,8 +59,13 @@ impl Chain {
             .collect()
     }
 
-    /// The stored elements with this entry, ascending. For 0 these are entries that cancelled.
-    pub fn where_equal(&self, value: i64) -> Ids {
+    /// Of all `n` elements those with this entry, ascending.
+    pub fn where_equal(&self, value: i64, n: usize) -> Ids {
+        if value == 0 {
+            let mut others = self.entries.iter().filter(|(_, v)| *v != 0).peekable();
+            let mut is_other = |id: &u32| others.next_if(|(other, _)| other == id).is_some();
+            return (0..n as u32).filter(|id| !is_other(id)).collect();
+        }
         self.entries
             .iter()
             .filter(|(_, v)| *v == value)
@@ -77,6 +83,15 @@ pub fn chain_as_matrix(chain: &Chain, n: usize) -> CsMat<f64> {
         }
     }
     triplets.to_csc()
+}
+
+/// A chain as a vector with an entry for each of `n` elements.
+pub fn chain_as_vector(chain: &Chain, n: usize) -> DVector<f64> {
+    let mut vector = DVector::zeros(n);
+    for &(id, value) in &chain.entries {
+        vector[id as usize] = value as f64;
+    }
+    vector
 }
 
 /// A boundary matrix with real entries.

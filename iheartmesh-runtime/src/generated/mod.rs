@@ -32,7 +32,7 @@ mod tridiagonal;
 pub use all::{Whole, for_each_element, for_each_of, in_chunks};
 pub use array::*;
 pub use assemble::*;
-pub use chain::{Chain, boundary_as_matrix, chain_as_matrix};
+pub use chain::{Chain, boundary_as_matrix, chain_as_matrix, chain_as_vector};
 pub use check::{
     Shown, check_argument, check_cellular_set, check_element_in, check_in, check_item_size,
     check_length, check_member, check_pairs, check_quotient, check_quotient_size,

@@ -344,6 +344,11 @@ impl Body<'_> {
     }
 
     fn unary(&mut self, e: ExprId, op: Unary, a: ExprId) -> TokenStream {
+        if matches!(self.ty(a), Type::Vector { space: Some(_), .. }) {
+            let n = self.context.count(self.space_of(a));
+            let a = self.reference(a);
+            return quote!(rt::chain_as_vector(#a, #n));
+        }
         if op == Unary::FromHost || !self.ty(a).is_scalar() && !self.ty(a).is_element() {
             return self.array_unary(e, op, a);
         }

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::block::Body;
 use crate::ir::{Boundary, ExprId, Kind, SetOp};
+use crate::types::{Element, Type};
 
 impl Body<'_> {
     /// A set of elements as a sorted slice of `u32`.
@@ -159,8 +160,9 @@ impl Body<'_> {
                 quote!((#chain).non_zeros())
             }
             Kind::ValueSet(chain, value) => {
+                let n = self.context.count(self.space_of(*chain));
                 let (chain, value) = (self.reference(*chain), self.owned(*value));
-                quote!((#chain).where_equal(#value))
+                quote!((#chain).where_equal(#value, #n))
             }
             Kind::Traverse(boundary, set) => self.traverse(e, *boundary, *set),
             Kind::Entry(boundary, row, column) => {
@@ -182,6 +184,16 @@ impl Body<'_> {
                 quote!(rt::boundary_as_matrix(#mesh, #k, #signed, #transposed))
             }
             other => panic!("bug in iheartmesh: no Rust for {other:?}"),
+        }
+    }
+
+    /// Of which elements a value is a chain.
+    pub(super) fn space_of(&self, chain: ExprId) -> Element {
+        match self.ty(chain) {
+            Type::Vector {
+                space: Some(space), ..
+            } => *space,
+            other => panic!("bug in iheartmesh: {other} is no chain"),
         }
     }
 
