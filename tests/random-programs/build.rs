@@ -11,7 +11,7 @@ mod generate;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use generate::{Form, Generated, compile, deep, interpret, program, seeds};
+use generate::{Form, Generated, compile, deep, energy, interpret, program, seeds};
 use iheartmesh_compiler::emit::rust::{Header, emit};
 use iheartmesh_compiler::optimize::Optimizations;
 use quote::quote;
@@ -23,11 +23,16 @@ fn main() {
     let text = deep(|| {
         let mut text = String::new();
         let mut list = String::new();
-        for seed in seeds(50) {
-            text.push_str(&module(seed, &program(seed)));
-            let _ = writeln!(list, "    (p{seed}::run as fn(), {seed}),");
+        // programs by seeds, and some with derivatives
+        let range = seeds(50);
+        let energies = (range.start..range.end).step_by(3);
+        let programs = range.map(|seed| (format!("p{seed}"), program(seed)));
+        let energies = energies.map(|seed| (format!("e{seed}"), energy(seed).generated));
+        for (name, generated) in programs.chain(energies) {
+            text.push_str(&module(&name, &generated));
+            let _ = writeln!(list, "    ({name}::run as fn(), {name:?}),");
         }
-        let _ = writeln!(text, "pub const PROGRAMS: &[(fn(), u64)] = &[\n{list}];");
+        let _ = writeln!(text, "pub const PROGRAMS: &[(fn(), &str)] = &[\n{list}];");
         text
     });
     let folder = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
@@ -35,12 +40,12 @@ fn main() {
 }
 
 /// A program in both forms, and a function that compares them with what is expected.
-fn module(seed: u64, generated: &Generated) -> String {
+fn module(name: &str, generated: &Generated) -> String {
     let source = &generated.source;
     let mut text = format!(
-        "mod p{seed} {{\n    use super::*;\n    pub fn run() {{ compare({seed}, SOURCE, &[(\"plain\", plain::run, PLAIN), (\"optimized\", optimized::run, OPTIMIZED)]); }}\n    const SOURCE: &str = {source:?};\n"
+        "mod {name} {{\n    use super::*;\n    pub fn run() {{ compare({name:?}, SOURCE, &[(\"plain\", plain::run, PLAIN), (\"optimized\", optimized::run, OPTIMIZED)]); }}\n    const SOURCE: &str = {source:?};\n"
     );
-    for (name, constant, form, optimizations) in [
+    for (form_name, constant, form, optimizations) in [
         ("plain", "PLAIN", Form::Checked, Optimizations::NONE),
         (
             "optimized",
@@ -51,7 +56,7 @@ fn module(seed: u64, generated: &Generated) -> String {
     ] {
         let stages = match compile(generated, optimizations) {
             Ok(stages) => stages,
-            Err(messages) => panic!("seed {seed}:\n{messages}\n{source}"),
+            Err(messages) => panic!("{name}:\n{messages}\n{source}"),
         };
         let expected = interpret(generated, &stages, form);
         let _ = writeln!(
@@ -59,7 +64,7 @@ fn module(seed: u64, generated: &Generated) -> String {
             "    const {constant}: &[(&str, &str)] = &{expected:?};"
         );
         let Some(staged) = &stages.staged else {
-            panic!("seed {seed}: no program");
+            panic!("{name}: no program");
         };
         let header = Header {
             name: proc_macro2::Ident::new("Random", proc_macro2::Span::call_site()),
@@ -72,11 +77,11 @@ fn module(seed: u64, generated: &Generated) -> String {
         let code = emit(staged, &stages.sources, &header, &mut diagnostics);
         assert!(
             !diagnostics.has_errors(),
-            "seed {seed}: {diagnostics:?}\n{source}"
+            "{name}: {diagnostics:?}\n{source}"
         );
         let _ = writeln!(
             text,
-            "    mod {name} {{\n        use super::super::*;\n        {code}\n        {}\n    }}",
+            "    mod {form_name} {{\n        use super::super::*;\n        {code}\n        {}\n    }}",
             run(generated)
         );
     }

@@ -23,7 +23,7 @@ impl<'a> Interpreter<'a> {
         let columns = size(self.number(scope, sizes[1])?);
         let mut all = DMatrix::zeros(rows, columns);
         for member in self.members(scope, set)? {
-            scope.variables.insert(variable, member);
+            scope.bind(variable, member);
             let row = from_one(self.number(scope, place[0])?, rows);
             let column = from_one(self.number(scope, place[1])?, columns);
             let value = real(self.eval(scope, body)?);

@@ -16,6 +16,39 @@ type Result<T> = std::result::Result<T, Fault>;
 impl<'a> Interpreter<'a> {
     /// The value of an expression.
     pub(super) fn eval(&self, scope: &mut Scope<'a>, e: ExprId) -> Result<Value> {
+        if self.is_leaf(e) {
+            return self.compute(scope, e);
+        }
+        let free = self.program.arena.node(e).free.iter();
+        let bound: Vec<u64> = match scope.plan {
+            // columns have values by more than their own variable
+            Some(_) => vec![scope.binds],
+            None => free.map(|v| scope.bound[v]).collect(),
+        };
+        if let Some((then, value)) = scope.known.get(&e)
+            && *then == bound
+        {
+            return Ok(value.clone());
+        }
+        let value = self.compute(scope, e)?;
+        scope.known.insert(e, (bound, value.clone()));
+        Ok(value)
+    }
+
+    /// Whether a value is at hand anyway.
+    fn is_leaf(&self, e: ExprId) -> bool {
+        matches!(
+            self.program.arena.kind(e),
+            Kind::Integer(_)
+                | Kind::Real(_)
+                | Kind::Boolean(_)
+                | Kind::Variable(_)
+                | Kind::Input(_)
+                | Kind::Global(_)
+        )
+    }
+
+    fn compute(&self, scope: &mut Scope<'a>, e: ExprId) -> Result<Value> {
         let ty = self.ty(e);
         Ok(match self.program.arena.kind(e) {
             Kind::Integer(k) => Value::Integer(*k),
@@ -243,7 +276,7 @@ impl<'a> Interpreter<'a> {
             } => {
                 let mut values = Vec::new();
                 for value in self.range(scope, e, *variable, range)? {
-                    scope.variables.insert(*variable, value);
+                    scope.bind(*variable, value);
                     let taken = match condition {
                         Some(condition) => self.holds(scope, *condition)?,
                         None => true,

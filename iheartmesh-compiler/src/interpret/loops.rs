@@ -158,7 +158,7 @@ impl<'a> Interpreter<'a> {
                         Type::Element(_) => Value::Element(index as u32 - 1),
                         _ => Value::Integer(index),
                     };
-                    scope.variables.insert(*variable, value);
+                    scope.bind(*variable, value);
                 }
                 values.push(self.eval(scope, body)?);
             }

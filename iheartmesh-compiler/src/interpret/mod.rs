@@ -25,7 +25,7 @@ mod operation;
 mod value;
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 pub use arguments::{Argument, HostFunction};
 pub use mesh::Mesh;
@@ -63,9 +63,23 @@ pub struct Interpreter<'a> {
 #[derive(Default)]
 struct Scope<'a> {
     variables: BTreeMap<VariableId, Value>,
+    /// For each variable how often a name was bound before it was.
+    bound: BTreeMap<VariableId, u64>,
+    /// The last value of each expression, with `bound` of its variables: formulas share what they are made of, and
+    /// without it derivatives would take as long as formulas that do not.
+    known: HashMap<ExprId, (Vec<u64>, Value)>,
+    binds: u64,
     /// Sizes that the arguments of a function give.
     sizes: BTreeMap<Atom, i64>,
     plan: Option<&'a Plan>,
+}
+
+impl Scope<'_> {
+    fn bind(&mut self, variable: VariableId, value: Value) {
+        self.variables.insert(variable, value);
+        self.bound.insert(variable, self.binds);
+        self.binds += 1;
+    }
 }
 
 impl<'a> Interpreter<'a> {
@@ -178,7 +192,7 @@ impl<'a> Interpreter<'a> {
                     scope.sizes.entry(atom.clone()).or_insert(size);
                 }
             }
-            scope.variables.insert(parameter.variable, argument);
+            scope.bind(parameter.variable, argument);
         }
         if !function.recursive {
             return self.eval(&mut scope, body);

@@ -126,6 +126,8 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
         Kind::Assemble { blocks, .. } => {
             let is_square = |e: ExprId| match ty(e).shape() {
                 Some(Shape::Matrix(n, m)) => n == m,
+                // of one row
+                Some(Shape::Scalar) => true,
                 _ => false,
             };
             check(

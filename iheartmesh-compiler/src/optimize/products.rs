@@ -184,7 +184,7 @@ impl Pass {
     /// Whether some part of a matrix is a sum of blocks.
     fn has_blocks(&self, arena: &Arena, e: ExprId) -> bool {
         match arena.kind(e) {
-            Kind::Assemble { .. } => true,
+            Kind::Assemble { blocks, .. } => !blocks.is_empty(),
             Kind::Global(id) => {
                 let value = self.values.get(id.0 as usize);
                 value.is_some_and(|e| !self.formed.contains(id) && self.has_blocks(arena, *e))

@@ -31,6 +31,8 @@ pub struct Sizes {
     pub own: usize,
     pub length: usize,
     pub elements: [usize; 3],
+    /// Whether numbers have no pattern.
+    pub is_rough: bool,
 }
 
 impl Sizes {
@@ -42,24 +44,33 @@ impl Sizes {
             Size::Own => self.own,
         }
     }
-}
 
-/// A quarter of a small integer: sums and products of a few are exact.
-fn quarter(random: &mut fastrand::Rng) -> f64 {
-    f64::from(random.i32(-12..=12)) / 4.0
+    /// A quarter of a small integer: sums and products of a few are exact. Or one without a pattern.
+    fn number(&self, random: &mut fastrand::Rng) -> f64 {
+        match self.is_rough {
+            true => 3.0 * random.f64() - 1.5,
+            false => f64::from(random.i32(-12..=12)) / 4.0,
+        }
+    }
 }
 
 /// A value of a type.
 pub fn datum(random: &mut fastrand::Rng, ty: Ty, sizes: &Sizes) -> Datum {
     let (value, rust) = match ty {
-        Ty::Real => real(quarter(random)),
+        Ty::Real => real(sizes.number(random)),
         Ty::Integer => integer(random.i64(-3..=6)),
-        Ty::Vector(n) => vector(random, n, sizes.of(n)),
-        Ty::Matrix(n, m) => matrix(random, (n, sizes.of(n)), (m, sizes.of(m))),
+        Ty::Vector(n) => vector(random, sizes, n),
+        Ty::Matrix(n, m) => matrix(random, sizes, (n, m)),
         Ty::Sparse => {
             let n = sizes.n;
             let entries: Vec<f64> = (0..n * n)
-                .map(|_| if random.bool() { quarter(random) } else { 0.0 })
+                .map(|_| {
+                    if random.bool() {
+                        sizes.number(random)
+                    } else {
+                        0.0
+                    }
+                })
                 .collect();
             let triplets: Vec<String> = (0..n * n)
                 .filter(|k| entries[*k] != 0.0)
@@ -78,30 +89,34 @@ pub fn datum(random: &mut fastrand::Rng, ty: Ty, sizes: &Sizes) -> Datum {
             )
         }
         Ty::Points => {
-            let items = (0..sizes.length).map(|_| vector(random, Size::Known(3), 3));
+            let items = (0..sizes.length).map(|_| vector(random, sizes, Size::Known(3)));
             sequence("glam::DVec3", items.collect())
         }
         Ty::Weights => sequence(
             "f64",
-            (0..sizes.length).map(|_| real(quarter(random))).collect(),
+            (0..sizes.length)
+                .map(|_| real(sizes.number(random)))
+                .collect(),
         ),
         Ty::FieldOfPoints => {
             let n = sizes.elements[Kind::Vertex as usize];
             sequence(
                 "glam::DVec3",
-                (0..n).map(|_| vector(random, Size::Known(3), 3)).collect(),
+                (0..n)
+                    .map(|_| vector(random, sizes, Size::Known(3)))
+                    .collect(),
             )
         }
         Ty::Field(kind) => {
             let n = sizes.elements[kind as usize];
-            sequence("f64", (0..n).map(|_| real(quarter(random))).collect())
+            sequence("f64", (0..n).map(|_| real(sizes.number(random))).collect())
         }
         Ty::Element(kind) => element(random, kind, sizes),
         Ty::SetOf(member) => {
             let members: Vec<(Value, String)> = (0..random.usize(0..5))
                 .map(|_| match member {
                     Member::Integer => integer(random.i64(-1..=5)),
-                    Member::Real => real(quarter(random)),
+                    Member::Real => real(sizes.number(random)),
                     Member::Pair => {
                         let (a, b) = (random.i64(0..=2), random.i64(0..=2));
                         (
@@ -147,8 +162,9 @@ fn element(random: &mut fastrand::Rng, kind: Kind, sizes: &Sizes) -> (Value, Str
     (Value::Element(id), format!("{}::new({id})", kind.handle()))
 }
 
-fn vector(random: &mut fastrand::Rng, size: Size, n: usize) -> (Value, String) {
-    let entries: Vec<f64> = (0..n).map(|_| quarter(random)).collect();
+fn vector(random: &mut fastrand::Rng, sizes: &Sizes, size: Size) -> (Value, String) {
+    let n = sizes.of(size);
+    let entries: Vec<f64> = (0..n).map(|_| sizes.number(random)).collect();
     let rust = match size {
         Size::Known(n @ 2..=4) => format!("glam::DVec{n}::from_array({entries:?})"),
         Size::Known(n) => format!("SVector::<f64, {n}>::from_column_slice(&{entries:?})"),
@@ -160,14 +176,15 @@ fn vector(random: &mut fastrand::Rng, size: Size, n: usize) -> (Value, String) {
 /// A matrix; a square one has large entries on its diagonal, so that it has an inverse, most of the time.
 fn matrix(
     random: &mut fastrand::Rng,
-    (rows, n): (Size, usize),
-    (columns, m): (Size, usize),
+    sizes: &Sizes,
+    (rows, columns): (Size, Size),
 ) -> (Value, String) {
+    let (n, m) = (sizes.of(rows), sizes.of(columns));
     let heavy = random.u8(0..8) > 0;
     let entries: Vec<f64> = (0..n * m)
         .map(|k| {
             let diagonal = rows == columns && heavy && k % n == k / n;
-            quarter(random) / if heavy { 2.0 } else { 1.0 } + if diagonal { 8.0 } else { 0.0 }
+            sizes.number(random) / if heavy { 2.0 } else { 1.0 } + if diagonal { 8.0 } else { 0.0 }
         })
         .collect();
     let rust = match (rows, columns) {

@@ -2,6 +2,7 @@
 
 mod agree;
 mod data;
+mod energy;
 mod expression;
 mod numbers;
 mod program;
@@ -10,8 +11,9 @@ mod sets;
 
 pub use agree::agree;
 pub use data::{Datum, Polygons};
+pub use energy::{Energy, energy};
 pub use program::program;
-pub use run::{Form, compile, deep, interpret, seeds};
+pub use run::{Form, compile, deep, evaluate, interpret, seeds};
 
 use std::collections::BTreeMap;
 
@@ -181,6 +183,8 @@ pub struct Generator {
     pub has_mesh: bool,
     /// Whether this is the body of a function of any size.
     pub has_own_size: bool,
+    /// Whether all that is made has derivatives. Then numbers have no pattern, and faces have three sides.
+    pub is_differentiable: bool,
     /// Parameters so far, by name.
     pub inputs: BTreeMap<String, Ty>,
     pub functions: Vec<Signature>,

@@ -96,6 +96,7 @@ impl Generator {
                 let body = self.with(&letter, Ty::Integer, |g| g.real(d));
                 format!("(∏_({letter} = 1)^({k}) {body})")
             }
+            27 | 28 if self.is_differentiable => self.leaf(Ty::Real),
             27 => format!("{}({})", self.input(Ty::Function), self.real(d)),
             28 => {
                 let what = self.pick(&["min", "max"]);
@@ -349,12 +350,12 @@ impl Generator {
                 let one = self.pick(&["0", "1"]);
                 format!("{one}_({},{})", n.text(), m.text())
             }
-            9 if n == m && self.random.bool() => {
+            9 if n == m && !self.is_differentiable && self.random.bool() => {
                 let other = self.outer_size();
                 let kernel = format!("null({})", self.leaf(Ty::Matrix(other, n)));
                 format!("({kernel} {kernel}ᵀ)")
             }
-            9 if n == m && self.chance(3) => {
+            9 if n == m && !self.is_differentiable && self.chance(3) => {
                 let a = self.leaf(Ty::Matrix(n, n));
                 format!("psd({a} + {a}ᵀ)")
             }

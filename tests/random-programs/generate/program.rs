@@ -10,18 +10,22 @@ use super::{Generated, Generator, Kind, Member, Polygons, Signature, Size, Ty};
 
 /// The program of a seed. Every second one has a mesh.
 pub fn program(seed: u64) -> Generated {
-    let mut generator = Generator {
-        random: fastrand::Rng::with_seed(seed),
-        has_mesh: seed % 2 == 1,
-        has_own_size: false,
-        inputs: BTreeMap::new(),
-        functions: Vec::new(),
-        scope: Vec::new(),
-    };
-    generator.program()
+    Generator::new(seed).program()
 }
 
 impl Generator {
+    pub fn new(seed: u64) -> Self {
+        Self {
+            random: fastrand::Rng::with_seed(seed),
+            has_mesh: seed % 2 == 1,
+            has_own_size: false,
+            is_differentiable: false,
+            inputs: BTreeMap::new(),
+            functions: Vec::new(),
+            scope: Vec::new(),
+        }
+    }
+
     fn result(&mut self) -> Ty {
         match self.random.usize(0..if self.has_mesh { 14 } else { 11 }) {
             0..=2 => Ty::Real,
@@ -82,9 +86,9 @@ impl Generator {
     }
 
     /// A function, recursive at times, with local definitions.
-    fn function(&mut self, name: &str, depth: usize) -> (String, Signature) {
+    pub fn function(&mut self, name: &str, depth: usize) -> (String, Signature) {
         let result = self.result();
-        if self.chance(6) {
+        if !self.is_differentiable && self.chance(6) {
             let signature = Signature {
                 name: name.to_owned(),
                 parameters: vec![Ty::Integer, result],
@@ -248,7 +252,7 @@ impl Generator {
     }
 
     /// The text, with the parameters that it uses and values for them.
-    fn assemble(
+    pub fn assemble(
         &mut self,
         lines: Vec<String>,
         definitions: Vec<String>,
@@ -276,7 +280,9 @@ impl Generator {
         if needs_m {
             self.input(Ty::Vector(Size::M));
         }
-        let mesh = self.has_mesh.then(|| polygons(&mut self.random));
+        let mesh = self
+            .has_mesh
+            .then(|| polygons(&mut self.random, self.is_differentiable));
         let size = |random: &mut fastrand::Rng| match random.usize(0..12) {
             0 => 0,
             _ => random.usize(1..=4),
@@ -287,9 +293,10 @@ impl Generator {
             m: size(&mut self.random),
             length: size(&mut self.random),
             elements: mesh.as_ref().map_or([0; 3], |mesh| mesh.counts),
+            is_rough: self.is_differentiable,
         };
         let mut source = String::from(
-            "sin, cos, arctan, tanh, atan2 from trigonometry\ntr, det, diag, null, psd from linearalgebra\n",
+            "sin, cos, arctan, tanh, atan2 from trigonometry\ntr, det, diag, null, psd, psd_abs from linearalgebra\n",
         );
         if mesh.is_some() {
             source.push_str(
@@ -333,14 +340,15 @@ impl Generator {
     }
 }
 
-/// One of a few meshes: closed or with a boundary, triangles or not, with a vertex in no face or not.
-fn polygons(random: &mut fastrand::Rng) -> Polygons {
+/// One of a few meshes: closed or with a boundary, triangles or not, with a vertex in no face or not. Small ones are of
+/// triangles.
+fn polygons(random: &mut fastrand::Rng, is_small: bool) -> Polygons {
     let (vertices, faces): (usize, &[&[u32]]) = match random.usize(0..6) {
         0 => (4, &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2]]),
         1 => (4, &[&[0, 1, 2], &[2, 1, 3]]),
-        2 => (6, &[&[0, 1, 2, 3], &[0, 3, 4]]),
+        2 if !is_small => (6, &[&[0, 1, 2, 3], &[0, 3, 4]]),
         3 => (5, &[&[4, 0, 1], &[4, 1, 2], &[4, 2, 3], &[4, 3, 0]]),
-        4 => (7, &[&[0, 1, 2], &[2, 3, 4], &[5, 6, 2]]),
+        4 if !is_small => (7, &[&[0, 1, 2], &[2, 3, 4], &[5, 6, 2]]),
         _ => (3, &[&[0, 1, 2]]),
     };
     let faces: Vec<Vec<u32>> = faces.iter().map(|f| f.to_vec()).collect();

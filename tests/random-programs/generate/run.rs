@@ -90,6 +90,33 @@ pub enum Form {
 /// All that is asked of a program, by the interpreter: of the program as it was checked, or after the passes, or by its
 /// staged bodies. Run it inside of [`deep`].
 pub fn interpret(generated: &Generated, stages: &Stages, form: Form) -> Vec<Outcome> {
+    with(generated, stages, form, |program, interpreter| {
+        outcomes(generated, program, interpreter)
+    })
+}
+
+/// Some definitions of a program. Run it inside of [`deep`].
+pub fn evaluate(
+    generated: &Generated,
+    stages: &Stages,
+    form: Form,
+    names: &[&str],
+) -> Vec<Result<Value, Fault>> {
+    with(generated, stages, form, |program, interpreter| {
+        let values = names
+            .iter()
+            .map(|name| interpreter.global(global(program, name)));
+        values.collect()
+    })
+}
+
+/// What `f` makes of an interpreter with the parameters of a program.
+fn with<T>(
+    generated: &Generated,
+    stages: &Stages,
+    form: Form,
+    f: impl FnOnce(&Program, &Interpreter<'_>) -> T,
+) -> T {
     let (Some(program), Some(staged)) = (&stages.program, &stages.staged) else {
         panic!("a program with errors");
     };
@@ -124,6 +151,14 @@ pub fn interpret(generated: &Generated, stages: &Stages, form: Form) -> Vec<Outc
         Ok(interpreter) => interpreter,
         Err(error) => panic!("{error}\n{}", generated.source),
     };
+    f(program, &interpreter)
+}
+
+fn outcomes(
+    generated: &Generated,
+    program: &Program,
+    interpreter: &Interpreter<'_>,
+) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for name in &generated.definitions {
         let value = interpreter.global(global(program, name));

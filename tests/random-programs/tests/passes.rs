@@ -1,10 +1,10 @@
 //! Programs are worth the same before and after the passes: many random ones, by the interpreter.
 
-#[allow(dead_code, reason = "a part of the tests")]
+#[allow(dead_code, unused_imports, reason = "a part of the tests")]
 #[path = "../generate/mod.rs"]
 mod generate;
 
-use generate::{Form, Generated, agree, compile, deep, interpret, program, seeds};
+use generate::{Form, Generated, agree, compile, deep, energy, interpret, program, seeds};
 use iheartmesh_compiler::optimize::Optimizations;
 
 /// The first disagreement of a program.
@@ -42,12 +42,17 @@ fn disagreement(generated: &Generated) -> Option<String> {
 
 #[test]
 fn passes_keep_values() {
-    deep(compare);
+    deep(|| compare(150, program));
 }
 
-fn compare() {
+#[test]
+fn passes_keep_derivatives() {
+    deep(|| compare(60, |seed| energy(seed).generated));
+}
+
+fn compare(usual: u64, program: fn(u64) -> Generated) {
     let mut wrong = Vec::new();
-    for seed in seeds(150) {
+    for seed in seeds(usual) {
         let generated = program(seed);
         let found = std::panic::catch_unwind(|| disagreement(&generated));
         let found = found.unwrap_or_else(|_| Some("it panics".to_owned()));

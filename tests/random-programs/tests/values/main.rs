@@ -28,18 +28,18 @@ type Form = (
 );
 
 /// Compares both forms of a program with what is expected.
-fn compare(seed: u64, source: &str, forms: &[Form]) {
+fn compare(program: &str, source: &str, forms: &[Form]) {
     for (form, run, expected) in forms {
         let found = run();
         assert_eq!(
             found.len(),
             expected.len(),
-            "seed {seed}, {form}: {found:?}\n{source}"
+            "{program}, {form}: {found:?}\n{source}"
         );
         for ((name, expected), found) in expected.iter().zip(&found) {
             assert!(
                 agree(expected, found),
-                "seed {seed}, {form}: {name} is\n{expected}\nbut the generated code says\n{found}\n{source}"
+                "{program}, {form}: {name} is\n{expected}\nbut the generated code says\n{found}\n{source}"
             );
         }
     }
@@ -48,10 +48,10 @@ fn compare(seed: u64, source: &str, forms: &[Form]) {
 #[test]
 fn generated_rust_computes_what_the_interpreter_says() {
     let mut wrong = Vec::new();
-    for (run, seed) in PROGRAMS {
+    for (run, name) in PROGRAMS {
         if std::panic::catch_unwind(run).is_err() {
-            wrong.push(seed);
+            wrong.push(name);
         }
     }
-    assert!(wrong.is_empty(), "seeds {wrong:?} of {}", PROGRAMS.len());
+    assert!(wrong.is_empty(), "programs {wrong:?} of {}", PROGRAMS.len());
 }
