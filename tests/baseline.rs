@@ -70,8 +70,9 @@ fn inscribed_in_sphere() -> Mesh {
     mesh((positions, triangles))
 }
 
+/// Large enough that lists around its vertices are in another order than that of their numbers.
 fn shuffled_torus() -> Mesh {
-    let (positions, triangles) = generate::torus(40, 23);
+    let (positions, triangles) = generate::torus(61, 41);
     mesh(generate::shuffle(&positions, &triangles, 7))
 }
 

@@ -222,6 +222,12 @@ impl<'a> Interpreter<'a> {
                 let place = from_one(index, members.len()).ok_or_else(|| self.fault(e))?;
                 members[place].clone()
             }
+            Kind::Neighbor(neighbor, a, b) => {
+                let a = element(self.eval(scope, *a)?);
+                let b = element(self.eval(scope, *b)?);
+                let found = mesh::neighbor(&self.meshes, *neighbor, a, b);
+                Value::Element(found.ok_or_else(|| self.fault(e))?)
+            }
             Kind::Sized(set, n) => {
                 let members = self.members(scope, *set)?;
                 if members.len() != *n as usize {

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::Value;
-use crate::ir::Boundary;
+use crate::ir::{Boundary, Neighbor};
+use crate::types::MeshId;
 
 /// A mesh by its boundary matrices.
 pub trait Mesh {
@@ -59,4 +60,65 @@ pub(super) fn product(
 pub(super) fn where_entry(chain: &BTreeMap<u32, i64>, asked: impl Fn(i64) -> bool) -> Value {
     let found = chain.iter().filter(|(_, entry)| asked(**entry));
     Value::Set(found.map(|(id, _)| Value::Element(*id)).collect())
+}
+
+/// The least element beside two others.
+pub(super) fn neighbor(
+    meshes: &BTreeMap<MeshId, &dyn Mesh>,
+    neighbor: Neighbor,
+    a: u32,
+    b: u32,
+) -> Option<u32> {
+    let (Neighbor::EdgeBetween(mesh)
+    | Neighbor::VertexInFace(mesh, _)
+    | Neighbor::FaceWith(mesh, _)
+    | Neighbor::FaceWithout(mesh, _)) = neighbor;
+    let entries = |dimension| -> BTreeMap<(u32, u32), i8> {
+        let entries = meshes[&mesh].boundary(dimension).into_iter();
+        entries
+            .map(|(row, column, sign)| ((row, column), sign))
+            .collect()
+    };
+    let of_edges = entries(1);
+    let of_faces = match neighbor {
+        Neighbor::EdgeBetween(_) => BTreeMap::new(),
+        _ => entries(2),
+    };
+    let ends = |edge: u32| {
+        of_edges
+            .keys()
+            .filter(move |(_, e)| *e == edge)
+            .map(|(vertex, _)| *vertex)
+    };
+    let product =
+        |face, edge, vertex| match (of_faces.get(&(edge, face)), of_edges.get(&(vertex, edge))) {
+            (Some(s), Some(t)) => s * t,
+            _ => 0,
+        };
+    match neighbor {
+        Neighbor::EdgeBetween(_) => {
+            let edges = of_edges.keys().map(|(_, edge)| *edge);
+            edges
+                .filter(|edge| ends(*edge).any(|v| v == a) && ends(*edge).any(|v| v == b))
+                .min()
+        }
+        Neighbor::VertexInFace(_, sign) => {
+            let edges = of_faces
+                .keys()
+                .filter(|(_, face)| *face == a)
+                .map(|(edge, _)| *edge);
+            let edges = edges.filter(|edge| product(a, *edge, b) == sign);
+            edges.flat_map(ends).filter(|vertex| *vertex != b).min()
+        }
+        Neighbor::FaceWith(_, sign) | Neighbor::FaceWithout(_, sign) => {
+            let is_with = matches!(neighbor, Neighbor::FaceWith(..));
+            let faces = of_faces
+                .keys()
+                .filter(|(edge, _)| *edge == a)
+                .map(|(_, face)| *face);
+            faces
+                .filter(|face| (product(*face, a, b) == sign) == is_with)
+                .min()
+        }
+    }
 }

@@ -255,6 +255,7 @@ macro_rules! each_operand {
             | Kind::ColumnOf(a, b)
             | Kind::SetOp(_, a, b)
             | Kind::SetItem(a, b)
+            | Kind::Neighbor(_, a, b)
             | Kind::Member(a, b)
             | Kind::ValueSet(a, b)
             | Kind::Entry(_, a, b) => {

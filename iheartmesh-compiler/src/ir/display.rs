@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 use super::{
-    Arena, Binary, Boundary, ExprId, Fold, Kind, Program, Range, Restriction, SetOp, Unary,
+    Arena, Binary, Boundary, ExprId, Fold, Kind, Neighbor, Program, Range, Restriction, SetOp,
+    Unary,
 };
 use crate::syntax::ast::CompareOp;
 
@@ -321,6 +322,19 @@ impl Writer<'_> {
             Kind::Traverse(b, a) => {
                 let name = format!("traverse {} ", self.boundary(*b));
                 self.call(&name, &[*a]);
+            }
+            Kind::Neighbor(neighbor, a, b) => {
+                let (mesh, name) = match *neighbor {
+                    Neighbor::EdgeBetween(mesh) => (mesh, "edge between".to_owned()),
+                    Neighbor::VertexInFace(mesh, sign) => {
+                        (mesh, format!("vertex in face {sign:+}"))
+                    }
+                    Neighbor::FaceWith(mesh, sign) => (mesh, format!("face with {sign:+}")),
+                    Neighbor::FaceWithout(mesh, sign) => (mesh, format!("face without {sign:+}")),
+                };
+                let mesh = &self.program.mesh(mesh).name;
+                let name = format!("{name}[{mesh}]");
+                self.call(&name, &[*a, *b]);
             }
             Kind::Entry(b, row, column) => {
                 let name = self.boundary(*b);

@@ -11,6 +11,8 @@ pub fn failure(program: &Program, e: ExprId) -> String {
             Kind::Integer(k) => return format!("the set has no member {k}"),
             _ => "the set has no member of this number",
         },
+        // of the set that the element is the first of
+        Kind::Neighbor(..) => "the set has no member 1",
         Kind::Sized(_, n) => return format!("the set does not have exactly {n} members"),
         Kind::Item(_, index) if arena.ty(*index).is_element() => "the sequence has no such item",
         Kind::Item(..) => "the sequence has no item of this number",

@@ -30,7 +30,7 @@ pub use program::{
 
 pub use unproven::{Axis, is_of_unknown_size, unproven};
 
-use crate::syntax::ast::CompareOp;
+pub use crate::syntax::ast::CompareOp;
 use crate::types::{Dimension, Element, MeshId};
 
 /// A bound variable or a function's parameter.
@@ -268,6 +268,20 @@ pub struct Boundary {
     pub transposed: bool,
 }
 
+/// How an element stands beside two others. Each is the first of a set of such elements, found without the set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Neighbor {
+    /// An edge that has both vertices; of one vertex any of its edges.
+    EdgeBetween(MeshId),
+    /// A vertex of the edges e of a face f at its vertex v where ∂²\[e, f\] ∂¹\[v, e\] is the sign, other than v: the next one
+    /// around the face for −1, the one before for +1.
+    VertexInFace(MeshId, i8),
+    /// A face f at an edge e where ∂²\[e, f\] ∂¹\[v, e\] with a vertex v is the sign.
+    FaceWith(MeshId, i8),
+    /// A face at an edge where that is not the sign.
+    FaceWithout(MeshId, i8),
+}
+
 /// A value that is added to an array, whole or in pieces.
 ///
 /// The rows of the value are divided evenly among the places in `rows`: the piece for place `p`, an element or a number
@@ -399,6 +413,8 @@ pub enum Kind {
     Cardinality(ExprId),
     /// A member of a set in ascending order, by its number from 1; fails when there is none.
     SetItem(ExprId, ExprId),
+    /// An element beside two others; fails when there is none. The pass `steps` makes these.
+    Neighbor(Neighbor, ExprId, ExprId),
     /// A set (left) that must have exactly as many members as the number says; fails otherwise.
     Sized(ExprId, u32),
     /// Whether an item is a member of a set.

@@ -1,8 +1,8 @@
 //! Checks that a program keeps the rules of the intermediate language; run after every pass in tests and in
 //! builds with debug assertions.
 
-use super::{Binary, ExprId, Fold, Kind, Program, Range, Restriction};
-use crate::types::{Shape, Type};
+use super::{Binary, ExprId, Fold, Kind, Neighbor, Program, Range, Restriction};
+use crate::types::{ElementKind, Shape, Type};
 
 /// The first broken rule, if there is one.
 ///
@@ -72,6 +72,22 @@ fn node(program: &Program, e: ExprId) -> Result<(), String> {
             *ty(*condition) == Type::Boolean && [a, b].iter().all(|x| is_case(ty(**x), ty(e))),
             "a choice between different types",
         ),
+        Kind::Neighbor(neighbor, a, b) => {
+            let kinds = match neighbor {
+                Neighbor::EdgeBetween(_) => [ElementKind::Vertex, ElementKind::Vertex],
+                Neighbor::VertexInFace(..) => [ElementKind::Face, ElementKind::Vertex],
+                Neighbor::FaceWith(..) | Neighbor::FaceWithout(..) => {
+                    [ElementKind::Edge, ElementKind::Vertex]
+                }
+            };
+            check(
+                [a, b]
+                    .into_iter()
+                    .zip(kinds)
+                    .all(|(x, kind)| matches!(ty(*x), Type::Element(of) if of.kind == kind)),
+                "a neighbour of other elements",
+            )
+        }
         Kind::SetOp(_, a, b) => check(ty(*a) == ty(*b), "an operation on different sets"),
         Kind::Call(id, arguments) => check(
             program.function(*id).parameters.len() == arguments.len(),

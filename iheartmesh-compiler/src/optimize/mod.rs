@@ -21,6 +21,7 @@ pub use plan::{MayFail, is_within, may_overflow};
 pub mod rewrite;
 mod share;
 pub mod show;
+mod steps;
 mod sums;
 pub mod tables;
 mod traverse;
@@ -42,6 +43,8 @@ pub struct Optimizations {
     pub products: bool,
     /// Sums along rows and columns of sparse matrices run over their stored entries.
     pub nonzeros: bool,
+    /// Neighbours are found in tables of the mesh instead of sets.
+    pub steps: bool,
     /// Expressions are brought to a common form, and computed once outside of loops.
     pub share: bool,
     /// What depends only on the mesh is computed once per mesh and stored in tables.
@@ -64,6 +67,7 @@ impl Optimizations {
         inline: true,
         products: true,
         nonzeros: true,
+        steps: true,
         share: true,
         plan: true,
         corners: true,
@@ -77,6 +81,7 @@ impl Optimizations {
         inline: false,
         products: false,
         nonzeros: false,
+        steps: false,
         share: false,
         plan: false,
         corners: false,
@@ -86,9 +91,9 @@ impl Optimizations {
     };
 
     /// Names of the switches, in the order of the passes.
-    pub const NAMES: [&'static str; 10] = [
-        "traverse", "inline", "products", "nonzeros", "share", "plan", "corners", "fields",
-        "orbits", "slots",
+    pub const NAMES: [&'static str; 11] = [
+        "traverse", "inline", "products", "nonzeros", "steps", "share", "plan", "corners",
+        "fields", "orbits", "slots",
     ];
 
     /// Sets a switch by its name; `false` when there is none of this name.
@@ -102,6 +107,7 @@ impl Optimizations {
             "corners" => &mut self.corners,
             "fields" => &mut self.fields,
             "nonzeros" => &mut self.nonzeros,
+            "steps" => &mut self.steps,
             "orbits" => &mut self.orbits,
             "slots" => &mut self.slots,
             _ => return false,
@@ -280,6 +286,9 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
     }
     if optimizations.nonzeros {
         nonzeros::run(&mut program);
+    }
+    if optimizations.steps {
+        steps::run(&mut program);
     }
     if optimizations.share {
         share::run(&mut program);

@@ -313,7 +313,11 @@ impl MayFail {
             return true;
         }
         match arena.kind(e) {
-            Kind::Fail | Kind::SetItem(..) | Kind::Sized(..) | Kind::Agree(..) => true,
+            Kind::Fail
+            | Kind::SetItem(..)
+            | Kind::Neighbor(..)
+            | Kind::Sized(..)
+            | Kind::Agree(..) => true,
             Kind::At(..) => !is_within(arena, e),
             Kind::RowOf(..) | Kind::ColumnOf(..) | Kind::Stored(..) => true,
             Kind::Optimum { .. } | Kind::Integral { .. } => true,

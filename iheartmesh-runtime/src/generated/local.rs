@@ -15,6 +15,8 @@ pub struct Locals<const N: usize, const C: usize> {
     slots: Dense<C>,
 }
 
+/// So many keys are done at once.
+const BATCH: usize = 32;
 /// So many elements are searched one by one.
 const FEW: usize = 32;
 
@@ -32,15 +34,28 @@ impl<const N: usize, const C: usize> Locals<N, C> {
             let mut rows = Table::<N>::with_capacity(keys.len());
             let mut slots = Dense::<C>::with_capacity(keys.len() * 6);
             let mut around = Around::default();
-            for key in keys {
-                around.clear();
-                for row in table.rows_of(key as usize) {
-                    slots.push(columns.map(|column| around.slot(row[column])));
+            let mut elements = Vec::new();
+            let mut ends = Vec::with_capacity(BATCH);
+            for start in keys.clone().step_by(BATCH) {
+                elements.clear();
+                ends.clear();
+                for key in start..keys.end.min(start + BATCH as u32) {
+                    around.clear();
+                    for row in table.rows_of(key as usize) {
+                        slots.push(columns.map(|column| around.slot(row[column])));
+                    }
+                    elements.extend_from_slice(&around.elements);
+                    ends.push(elements.len());
                 }
-                for element in &around.elements {
-                    rows.push(*of.row(*element as usize));
+                // the rows come from all over memory: nothing else stands between their reads
+                let mut next = 0;
+                for &end in &ends {
+                    for element in &elements[next..end] {
+                        rows.push(*of.row(*element as usize));
+                    }
+                    next = end;
+                    rows.finish_key()?;
                 }
-                rows.finish_key()?;
             }
             Ok((rows, slots))
         })?;

@@ -63,7 +63,8 @@ pub use slots::{Planned, Slots, Terms};
 pub use sparse::*;
 pub use spectrum::{Part, is_positive_semidefinite};
 pub use steps::{
-    Faces, beside_in_face, closed_ring, faces_of_vertex, first_common, vertices_of_face, with_signs,
+    Faces, beside_in_face, closed_ring, edge_between, face_beside, faces_of_vertex, first_common,
+    vertices_of_face, with_signs,
 };
 pub use table::{Dense, Rows, Table, concatenated};
 pub use touch::{Touch, touch};

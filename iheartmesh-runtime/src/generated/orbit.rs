@@ -8,7 +8,7 @@ use std::ops::{AddAssign, Range};
 use rayon::prelude::*;
 
 use super::all::is_parallel;
-use super::{Fallible, Keys, NO_ELEMENT, Table, for_each_element};
+use super::{Fallible, Keys, NO_ELEMENT, Rows, Table, for_each_element};
 
 /// A sum whose terms are computed in groups.
 ///
@@ -94,6 +94,13 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         permutation: [usize; A],
         order: Keys<'_>,
     ) -> Option<Self> {
+        // where the numbering is not local, the rows are walked in a copy of the table that is
+        let copy = order.vertices_in_order().map(|keys| table.taken(keys));
+        let near = copy.as_ref().unwrap_or(table);
+        let place = |key: u32| match order.rank() {
+            None => key as usize,
+            Some(rank) => rank[key as usize] as usize,
+        };
         let elements = |key: u32, row: &[u32; N]| -> [u32; A] {
             std::array::from_fn(|k| if k == 0 { key } else { row[columns[k - 1]] })
         };
@@ -101,8 +108,8 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
         let mut groups = Vec::with_capacity(table.len() / M + 1);
         let mut singles = Vec::new();
         let mut taken = vec![false; table.len()];
-        for key in order.at(0..n_keys as u32) {
-            for (number, row) in table.enumerate_rows_of(key as usize) {
+        for (of_key, key) in order.at(0..n_keys as u32).enumerate() {
+            for (number, row) in near.enumerate_rows_of(of_key) {
                 if taken[number] {
                     continue;
                 }
@@ -115,12 +122,11 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                         break;
                     }
                     let next: [u32; A] = std::array::from_fn(|k| current[permutation[k]]);
-                    let partner = next[0] as usize;
-                    let found = (partner < n_keys).then(|| {
-                        table
-                            .enumerate_rows_of(partner)
+                    let partner = next[0];
+                    let found = ((partner as usize) < n_keys).then(|| {
+                        near.enumerate_rows_of(place(partner))
                             .find(|(other, row)| {
-                                *other != number && !taken[*other] && elements(next[0], row) == next
+                                *other != number && !taken[*other] && elements(partner, row) == next
                             })
                             .map(|(other, _)| other)
                     });
@@ -135,7 +141,8 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                     groups.push(first);
                     members.iter().for_each(|member| taken[*member] = true);
                 } else {
-                    singles.push([key, number as u32]);
+                    let of_key = number - near.range(of_key).start;
+                    singles.push([key, (table.range(key as usize).start + of_key) as u32]);
                     taken[number] = true;
                 }
             }

@@ -30,6 +30,12 @@ pub trait Faces {
     /// The least vertex, other than `vertex`, of the edges e of `face` at `vertex` where ∂²[e, face] ∂¹[vertex, e] is `sign`:
     /// the next one around the face for −1, the one before for +1.
     fn beside(&self, face: u32, vertex: u32, sign: i64) -> Option<u32>;
+
+    /// The faces around a vertex.
+    fn faces_around(&self, vertex: u32) -> &[u32];
+
+    /// Reads what is asked of a face in a plan.
+    fn touch(&self, face: u32) -> u32;
 }
 
 impl Faces for FaceMesh {
@@ -51,11 +57,32 @@ impl Faces for FaceMesh {
         };
         Some(corners[place % corners.len()])
     }
+
+    #[inline]
+    fn faces_around(&self, vertex: u32) -> &[u32] {
+        self.complex().faces_of_vertex(vertex as usize)
+    }
+
+    #[inline]
+    fn touch(&self, face: u32) -> u32 {
+        let corners = self.triangles().map_or(0, |all| all[face as usize][0]);
+        corners ^ self.complex().touch_vertices_of_face(face as usize)
+    }
 }
 
 impl Faces for CellMesh {
     fn beside(&self, face: u32, vertex: u32, sign: i64) -> Option<u32> {
         beside(self.complex(), face, vertex, sign)
+    }
+
+    #[inline]
+    fn faces_around(&self, vertex: u32) -> &[u32] {
+        self.complex().faces_of_vertex(vertex as usize)
+    }
+
+    #[inline]
+    fn touch(&self, face: u32) -> u32 {
+        self.complex().touch_vertices_of_face(face as usize)
     }
 }
 
@@ -83,6 +110,31 @@ pub fn beside_in_face(
     fault: Fault,
 ) -> Fallible<u32> {
     mesh.beside(face, vertex, sign).ok_or(fault)
+}
+
+/// The first edge that has both vertices; of one vertex its first edge.
+///
+/// # Errors
+/// When there is none.
+#[inline]
+pub fn edge_between(complex: &CellComplex, a: u32, b: u32, fault: Fault) -> Fallible<u32> {
+    complex.edge_between(a, b).ok_or(fault)
+}
+
+/// The first face f of an edge e for which ∂²[e, f] ∂¹[v, e] with a vertex v is `sign`, or, with `other`, is something else.
+///
+/// # Errors
+/// When there is none.
+#[inline]
+pub fn face_beside(
+    complex: &CellComplex,
+    edge: u32,
+    vertex: u32,
+    sign: i8,
+    other: bool,
+    fault: Fault,
+) -> Fallible<u32> {
+    complex.face_beside(edge, vertex, sign, other).ok_or(fault)
 }
 
 /// The elements of a column of a boundary matrix with their signs.

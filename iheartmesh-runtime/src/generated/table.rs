@@ -1,8 +1,13 @@
 //! The tables of a plan: rows of element numbers.
 
+use std::hint::black_box;
+
 use rayon::prelude::*;
 
 use super::PlanError;
+
+/// So many keys are read at once where they are not in the order of memory.
+const BATCH: usize = 32;
 
 /// A table that can be filled in parts.
 pub trait Rows: Sized {
@@ -16,7 +21,7 @@ pub trait Rows: Sized {
     fn concatenated(parts: &[&Self]) -> Result<Self, PlanError>;
 
     /// For each key the rows that another key has here.
-    fn taken(self, from: &[u32]) -> Self;
+    fn taken(&self, from: &[u32]) -> Self;
 }
 
 /// One row for each element.
@@ -72,7 +77,7 @@ impl<const N: usize> Rows for Dense<N> {
         Ok(Self { rows })
     }
 
-    fn taken(self, from: &[u32]) -> Self {
+    fn taken(&self, from: &[u32]) -> Self {
         let rows = from.iter().map(|key| self.rows[*key as usize]);
         Self {
             rows: rows.collect(),
@@ -153,6 +158,20 @@ impl<const N: usize> Table<N> {
         range.clone().zip(&self.rows[range])
     }
 
+    /// Reads the ends of the rows of some keys all at once, where they are not in the order of memory: the reads do not wait
+    /// for each other.
+    fn read_ahead(&self, keys: &[u32]) -> u32 {
+        let ends = |key: &u32| {
+            let rows = self.rows_of(*key as usize);
+            rows.first()
+                .map_or(0, |row| row.first().copied().unwrap_or(0))
+                ^ rows
+                    .last()
+                    .map_or(0, |row| row.last().copied().unwrap_or(0))
+        };
+        keys.iter().fold(0, |all, key| all ^ ends(key))
+    }
+
     /// All rows.
     pub fn rows(&self) -> &[[u32; N]] {
         &self.rows
@@ -186,15 +205,16 @@ impl<const N: usize> Rows for Table<N> {
         Ok(Self { starts, rows })
     }
 
-    fn taken(self, from: &[u32]) -> Self {
+    fn taken(&self, from: &[u32]) -> Self {
         let mut starts = Vec::with_capacity(self.starts.len());
         starts.push(0);
         let mut rows = Vec::with_capacity(self.rows.len());
-        for key in from {
-            for row in self.rows_of(*key as usize) {
-                rows.push(*row);
+        for keys in from.chunks(BATCH) {
+            black_box(self.read_ahead(keys));
+            for key in keys {
+                rows.extend_from_slice(self.rows_of(*key as usize));
+                starts.push(rows.len() as u32);
             }
-            starts.push(rows.len() as u32);
         }
         Self { starts, rows }
     }

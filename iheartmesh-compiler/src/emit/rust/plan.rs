@@ -89,7 +89,16 @@ impl Context<'_> {
                     true => self.keys(element),
                     false => quote!(rt::Keys::in_order()),
                 };
-                let head = quote!(for #name in keys.at(range));
+                let around = filled_below(plan, root)
+                    .find_map(|space| match space.rows {
+                        Rows::Members(set) => body.faces_around(set, root.variable),
+                        _ => None,
+                    })
+                    .filter(|_| is_flat);
+                let head = match around {
+                    Some(mesh) => quote!(for #name in keys.at_with_faces(t.#mesh, range)),
+                    None => quote!(for #name in keys.at(range)),
+                };
                 (self.count(element), keys, head)
             }
             Rows::Members(_) | Rows::Corners(_) => (

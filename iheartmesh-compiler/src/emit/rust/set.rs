@@ -139,6 +139,7 @@ impl Body<'_> {
                     false => quote!(rt::entry(#set, #index, #site)?.clone()),
                 }
             }
+            Kind::Neighbor(neighbor, a, b) => self.neighbor(e, *neighbor, *a, *b),
             Kind::Sized(set, n) => {
                 let site = self.context.site(e);
                 let n = Literal::u32_unsuffixed(*n);
