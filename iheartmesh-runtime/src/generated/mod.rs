@@ -10,6 +10,7 @@ mod dense;
 mod fault;
 mod host;
 mod ids;
+mod in_order;
 mod keys;
 mod linear;
 mod local;

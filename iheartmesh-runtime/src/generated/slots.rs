@@ -4,18 +4,18 @@
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::prelude::*;
 use sprs::CsMat;
 
 use super::array::Array;
+use super::in_order::in_order;
 use super::local_block::LocalBlock;
 use super::{Fallible, Fault};
 
 /// Stands for a place that does not exist.
 pub(super) const MISSING: u32 = u32::MAX;
 
-/// So many chunks are evaluated at the same time; it does not depend on the number of threads.
-const BATCH: usize = 64;
+/// Fewer chunks than this are done before another thread has woken up.
+const FEW: usize = 16;
 
 /// Where the entries of a sum of blocks go. Blocks come in the order of the loops; of each the columns, of each column
 /// the pieces that stay together.
@@ -112,32 +112,27 @@ impl Slots {
             };
             values(chunk.rounds.clone(), &mut terms)
         };
-        if chunks.len() < BATCH / 2 || rayon::current_num_threads() == 1 {
-            let mut memory = self.memory().pop().unwrap_or_default();
-            for chunk in chunks {
-                evaluate(chunk, &mut memory)?;
-                self.scatter(chunk, &memory, data);
-            }
-            self.memory().push(memory);
-            return Ok(());
-        }
-        let mut memory: Vec<Vec<f64>> = std::mem::take(&mut *self.memory());
-        memory.resize_with(BATCH.max(memory.len()), Vec::new);
-        for batch in chunks.chunks(BATCH) {
-            let done: Fallible<()> = batch
-                .par_iter()
-                .zip(&mut memory)
-                .map(|(chunk, memory)| evaluate(chunk, memory))
-                .collect::<Vec<_>>()
-                .into_iter()
-                .collect();
-            done?;
-            for (chunk, memory) in batch.iter().zip(&memory) {
-                self.scatter(chunk, memory, data);
-            }
-        }
+        let mut memory = std::mem::take(&mut *self.memory());
+        let done = if chunks.len() < FEW || rayon::current_num_threads() == 1 {
+            let mut values = memory.pop().unwrap_or_default();
+            let mut chunks = chunks.iter();
+            let done = chunks.try_for_each(|chunk| {
+                evaluate(chunk, &mut values)?;
+                self.scatter(chunk, &values, data);
+                Ok(())
+            });
+            memory.push(values);
+            done
+        } else {
+            in_order(
+                chunks.len(),
+                &mut memory,
+                |k, values| evaluate(&chunks[k], values),
+                |k, values| self.scatter(&chunks[k], values, data),
+            )
+        };
         *self.memory() = memory;
-        Ok(())
+        done
     }
 
     fn memory(&self) -> std::sync::MutexGuard<'_, Vec<Vec<f64>>> {
