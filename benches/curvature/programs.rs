@@ -17,6 +17,8 @@ pub mod without {
         pub struct GaussianTraverse = include "tests/programs/gaussian_curvature.hlang";
         #[without(inline)]
         pub struct GaussianInline = include "tests/programs/gaussian_curvature.hlang";
+        #[without(steps)]
+        pub struct GaussianSteps = include "tests/programs/gaussian_curvature.hlang";
         #[without(share)]
         pub struct GaussianShare = include "tests/programs/gaussian_curvature.hlang";
         #[without(plan)]
@@ -32,6 +34,8 @@ pub mod without {
         pub struct MeanTraverse = include "tests/programs/mean_curvature.hlang";
         #[without(inline)]
         pub struct MeanInline = include "tests/programs/mean_curvature.hlang";
+        #[without(steps)]
+        pub struct MeanSteps = include "tests/programs/mean_curvature.hlang";
         #[without(share)]
         pub struct MeanShare = include "tests/programs/mean_curvature.hlang";
         #[without(plan)]
@@ -77,6 +81,7 @@ curvatures!(K, K_all:
     GaussianCurvature<'a>,
     without::GaussianTraverse<'a>,
     without::GaussianInline<'a>,
+    without::GaussianSteps<'a>,
     without::GaussianShare<'a>,
     without::GaussianPlan<'a>,
     without::GaussianFields<'a>,
@@ -87,6 +92,7 @@ curvatures!(H, H_all:
     MeanCurvature<'a>,
     without::MeanTraverse<'a>,
     without::MeanInline<'a>,
+    without::MeanSteps<'a>,
     without::MeanShare<'a>,
     without::MeanPlan<'a>,
     without::MeanFields<'a>,

@@ -342,6 +342,9 @@ pub fn without(setting: Setting) {
         without_row::<without::GaussianInline<'_>, without::MeanInline<'_>>(
             setting, &input, "`inline`",
         );
+        without_row::<without::GaussianSteps<'_>, without::MeanSteps<'_>>(
+            setting, &input, "`steps`",
+        );
         without_row::<without::GaussianShare<'_>, without::MeanShare<'_>>(
             setting, &input, "`share`",
         );

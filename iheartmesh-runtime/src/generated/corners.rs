@@ -31,7 +31,7 @@ pub fn corners<const N: usize, const M: usize>(
             })
         })
     };
-    let chunks = in_chunks(table.n_keys(), |keys| {
+    let mut chunks = in_chunks(table.n_keys(), |keys| {
         let mut first = Table::<M>::with_capacity(keys.len());
         let mut others = Table::<N>::with_capacity(0);
         for key in keys {
@@ -47,7 +47,7 @@ pub fn corners<const N: usize, const M: usize>(
         Ok((first, others))
     })?;
     Ok((
-        concatenated(&chunks, |chunk| &chunk.0)?,
-        concatenated(&chunks, |chunk| &chunk.1)?,
+        concatenated(&mut chunks, |chunk| &mut chunk.0)?,
+        concatenated(&mut chunks, |chunk| &mut chunk.1)?,
     ))
 }

@@ -30,7 +30,7 @@ impl<const N: usize, const C: usize> Locals<N, C> {
         columns: [usize; C],
         of: &Dense<N>,
     ) -> Result<Self, PlanError> {
-        let chunks = in_chunks(table.n_keys(), |keys| {
+        let mut chunks = in_chunks(table.n_keys(), |keys| {
             let mut rows = Table::<N>::with_capacity(keys.len());
             let mut slots = Dense::<C>::with_capacity(keys.len() * 6);
             let mut around = Around::default();
@@ -60,8 +60,8 @@ impl<const N: usize, const C: usize> Locals<N, C> {
             Ok((rows, slots))
         })?;
         Ok(Self {
-            rows: concatenated(&chunks, |chunk| &chunk.0)?,
-            slots: concatenated(&chunks, |chunk| &chunk.1)?,
+            rows: concatenated(&mut chunks, |chunk| &mut chunk.0)?,
+            slots: concatenated(&mut chunks, |chunk| &mut chunk.1)?,
         })
     }
 

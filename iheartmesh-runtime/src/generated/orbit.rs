@@ -347,3 +347,90 @@ fn first_rank<const A: usize, const M: usize>(
     let ranks = keys.iter().map(|k| rank[group[*k] as usize]);
     ranks.min().unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::FaceMesh;
+    use crate::generated::Faces;
+
+    const SIDE: u32 = 50;
+
+    /// The triangles of a grid, the corners after each vertex in them, and their groups.
+    fn grid(number: impl Fn(u32) -> u32) -> (Vec<[u32; 3]>, FaceMesh, Table<2>) {
+        let mut triangles = Vec::new();
+        for (x, y) in (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| (x, y))) {
+            let corner = |a: u32, b: u32| number((y + b) * SIDE + x + a);
+            triangles.push([corner(0, 0), corner(1, 0), corner(1, 1)]);
+            triangles.push([corner(1, 1), corner(0, 1), corner(0, 0)]);
+        }
+        let mesh = FaceMesh::from_triangles((SIDE * SIDE) as usize, &triangles).unwrap();
+        let mut table = Table::with_capacity((SIDE * SIDE) as usize);
+        for vertex in 0..SIDE * SIDE {
+            for &face in mesh.faces_around(vertex) {
+                table.push([-1, 1].map(|sign| mesh.beside(face, vertex, sign).unwrap()));
+            }
+            table.finish_key().unwrap();
+        }
+        (triangles, mesh, table)
+    }
+
+    fn turned(triangle: &[u32; 3]) -> [u32; 3] {
+        let mut turned = *triangle;
+        let least = (0..3).min_by_key(|k| triangle[*k]).unwrap();
+        turned.rotate_left(least);
+        turned
+    }
+
+    fn check(number: impl Fn(u32) -> u32, is_local: bool) {
+        let (triangles, mesh, table) = grid(number);
+        let order = Keys::vertices(mesh.complex());
+        let orbits = Orbits::<3, 3>::build(&table, &[0, 1], [1, 2, 0], order).unwrap();
+        assert_eq!(orbits.rank.is_none(), is_local);
+        assert!(orbits.singles.is_empty());
+        let place = |key: u32| orbits.rank.as_ref().map_or(key, |rank| rank[key as usize]);
+        // each triangle once, from its first corner in the order of the sums, these in order
+        let firsts: Vec<u32> = orbits.groups.iter().map(|g| place(g[0])).collect();
+        assert!(firsts.is_sorted());
+        for group in &orbits.groups {
+            assert!(group.iter().all(|key| place(*key) >= place(group[0])));
+        }
+        let sorted = |all: &[[u32; 3]]| {
+            let mut all: Vec<[u32; 3]> = all.iter().map(turned).collect();
+            all.sort_unstable();
+            all
+        };
+        assert_eq!(sorted(&orbits.groups), sorted(&triangles));
+    }
+
+    #[test]
+    fn groups_are_in_the_order_of_their_first_sums() {
+        check(|k| k, true);
+        check(|k| k * 1709 % (SIDE * SIDE), false);
+    }
+
+    #[test]
+    fn rows_without_partners_are_single_by_their_number_in_the_table() {
+        let (_, mesh, whole) = grid(|k| k * 1709 % (SIDE * SIDE));
+        // some rows name another vertex than the face has
+        let mut table = Table::with_capacity(whole.n_keys());
+        for key in 0..whole.n_keys() {
+            for (number, row) in whole.enumerate_rows_of(key) {
+                table.push(match number % 50 {
+                    0 => [row[1], row[0]],
+                    _ => *row,
+                });
+            }
+            table.finish_key().unwrap();
+        }
+        let order = Keys::vertices(mesh.complex());
+        let orbits = Orbits::<3, 3>::build(&table, &[0, 1], [1, 2, 0], order).unwrap();
+        assert_eq!(orbits.singles.len() + 3 * orbits.groups.len(), table.len());
+        assert!(orbits.singles.len() > 100);
+        let mut seen = vec![false; table.len()];
+        for [key, number] in &orbits.singles {
+            assert!(table.range(*key as usize).contains(&(*number as usize)));
+            assert!(!std::mem::replace(&mut seen[*number as usize], true));
+        }
+    }
+}

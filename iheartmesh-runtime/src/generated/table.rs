@@ -20,6 +20,9 @@ pub trait Rows: Sized {
     /// When there are more rows than `u32` can count.
     fn concatenated(parts: &[&Self]) -> Result<Self, PlanError>;
 
+    /// The same without room for more.
+    fn fitted(self) -> Self;
+
     /// For each key the rows that another key has here.
     fn taken(&self, from: &[u32]) -> Self;
 }
@@ -75,6 +78,11 @@ impl<const N: usize> Rows for Dense<N> {
     fn concatenated(parts: &[&Self]) -> Result<Self, PlanError> {
         let rows = concatenate(&parts.iter().map(|p| p.rows.as_slice()).collect::<Vec<_>>());
         Ok(Self { rows })
+    }
+
+    fn fitted(mut self) -> Self {
+        self.rows.shrink_to_fit();
+        self
     }
 
     fn taken(&self, from: &[u32]) -> Self {
@@ -205,6 +213,12 @@ impl<const N: usize> Rows for Table<N> {
         Ok(Self { starts, rows })
     }
 
+    fn fitted(mut self) -> Self {
+        self.starts.shrink_to_fit();
+        self.rows.shrink_to_fit();
+        self
+    }
+
     fn taken(&self, from: &[u32]) -> Self {
         let mut starts = Vec::with_capacity(self.starts.len());
         starts.push(0);
@@ -236,11 +250,57 @@ fn concatenate<const N: usize>(parts: &[&[[u32; N]]]) -> Vec<[u32; N]> {
     all
 }
 
-/// One table of each chunk, put together.
+/// One table of each chunk, put together. A single one is moved.
 ///
 /// # Errors
 /// When there are more rows than `u32` can count.
-pub fn concatenated<C, T: Rows>(chunks: &[C], table: impl Fn(&C) -> &T) -> Result<T, PlanError> {
-    let parts: Vec<&T> = chunks.iter().map(table).collect();
+pub fn concatenated<C, T: Rows>(
+    chunks: &mut [C],
+    table: impl Fn(&mut C) -> &mut T,
+) -> Result<T, PlanError> {
+    let mut parts: Vec<&mut T> = chunks.iter_mut().map(table).collect();
+    if let [single] = parts.as_mut_slice() {
+        return Ok(std::mem::replace(*single, T::with_capacity(0)).fitted());
+    }
+    let parts: Vec<&T> = parts.iter().map(|part| &**part).collect();
     T::concatenated(&parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Key k has k rows.
+    fn table(keys: std::ops::Range<u32>) -> Table<2> {
+        let mut table = Table::with_capacity(keys.len());
+        for key in keys {
+            (0..key).for_each(|k| table.push([key, k]));
+            table.finish_key().unwrap();
+        }
+        table
+    }
+
+    fn shown(table: &Table<2>) -> Vec<Vec<[u32; 2]>> {
+        let keys = 0..table.n_keys();
+        keys.map(|key| table.rows_of(key).to_vec()).collect()
+    }
+
+    #[test]
+    fn one_chunk_and_several_are_the_same_table() {
+        let whole = concatenated(&mut [table(0..100)], |chunk| chunk).unwrap();
+        let mut parts = [table(0..3), table(3..3), table(3..100)];
+        let parts = concatenated(&mut parts, |chunk| chunk).unwrap();
+        assert_eq!(shown(&whole), shown(&table(0..100)));
+        assert_eq!(shown(&parts), shown(&whole));
+        assert_eq!(whole.rows.capacity(), whole.len());
+    }
+
+    #[test]
+    fn rows_go_with_their_keys() {
+        let from: Vec<u32> = (0..100).map(|k| k * 37 % 100).collect();
+        let rows = shown(&table(0..100).taken(&from));
+        for (key, rows) in from.iter().zip(rows) {
+            assert_eq!(rows, (0..*key).map(|k| [*key, k]).collect::<Vec<_>>());
+        }
+    }
 }

@@ -115,13 +115,13 @@ impl Context<'_> {
         code.functions.extend(quote! {
             fn #build(t: &Topology<'_>) -> ::std::result::Result<(#(#types,)*), rt::PlanError> {
                 let keys = #keys;
-                let chunks = rt::in_chunks(#n, |range: ::std::ops::Range<u32>| {
+                let mut chunks = rt::in_chunks(#n, |range: ::std::ops::Range<u32>| {
                     #(let mut #tables = #rows;)*
                     #before
                     #head { #fill }
                     ::std::result::Result::Ok((#(#tables,)*))
                 })?;
-                ::std::result::Result::Ok((#(keys.sorted(rt::concatenated(&chunks, |chunk| &chunk.#merged)?),)*))
+                ::std::result::Result::Ok((#(keys.sorted(rt::concatenated(&mut chunks, |chunk| &mut chunk.#merged)?),)*))
             }
         });
     }
