@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use iheartmesh_runtime::glam::DVec3;
 use iheartmesh_runtime::io::{self, Attributes};
-use iheartmesh_runtime::{BoundaryMatrix, CellMesh, FaceMesh};
+use iheartmesh_runtime::{CellMesh, FaceMesh};
 
 /// Triangles of an n × n torus.
 fn torus(n: u32) -> Vec<[u32; 3]> {
@@ -185,11 +185,98 @@ fn turned<const N: usize>(n_parts: usize, wholes: &[[u32; N]]) -> (Vec<u32>, Vec
     (starts, items)
 }
 
-/// Bytes of a cell mesh: its matrices, the corners of its faces and those of its cells.
+/// What a person would write for a surface, and beyond it the lists that a `FaceMesh` has: the edges of each face ascending, the
+/// faces of each edge, however many, the edges of each vertex, all with signs; and a copy of the triangles, with the check
+/// that their vertices exist and differ.
+#[expect(dead_code, reason = "they are made, not read")]
+struct SameLists {
+    triangles: Vec<[u32; 3]>,
+    edges: Vec<[u32; 2]>,
+    face_edges: (Vec<[u32; 3]>, Vec<[i8; 3]>),
+    edge_faces: (Vec<u32>, Vec<u32>, Vec<i8>),
+    vertex_edges: (Vec<u32>, Vec<u32>, Vec<i8>),
+}
+
+impl SameLists {
+    fn new(n_vertices: usize, triangles: &[[u32; 3]]) -> SameLists {
+        let is_good = |&[a, b, c]: &[u32; 3]| {
+            (a.max(b).max(c) as usize) < n_vertices && a != b && b != c && c != a
+        };
+        assert!(triangles.iter().all(is_good));
+        let edges::Edges {
+            ends,
+            faces,
+            mut of_face,
+            mut signs,
+        } = edges::Edges::new(n_vertices, triangles);
+        for (edges, signs) in of_face.iter_mut().zip(&mut signs) {
+            for (a, b) in [(0, 1), (1, 2), (0, 1)] {
+                if edges[a] > edges[b] {
+                    edges.swap(a, b);
+                    signs.swap(a, b);
+                }
+            }
+        }
+        let (mut starts, mut items) = (vec![0], Vec::with_capacity(3 * triangles.len()));
+        let mut face_signs = Vec::with_capacity(3 * triangles.len());
+        for &[along, against] in &faces {
+            let first = along.min(against);
+            for face in [first, along.max(against)] {
+                if face != NONE {
+                    items.push(face);
+                    face_signs.push(if face == along { 1 } else { -1 });
+                }
+            }
+            starts.push(items.len() as u32);
+        }
+        let (vertex_starts, vertex_edges) = turned(n_vertices, &ends);
+        let mut vertex_signs = Vec::with_capacity(vertex_edges.len());
+        for (vertex, range) in vertex_starts.windows(2).enumerate() {
+            let around = &vertex_edges[range[0] as usize..range[1] as usize];
+            let is_tail = |edge: &u32| ends[*edge as usize][0] == vertex as u32;
+            vertex_signs.extend(around.iter().map(|edge| if is_tail(edge) { -1 } else { 1 }));
+        }
+        SameLists {
+            triangles: triangles.to_vec(),
+            edges: ends,
+            face_edges: (of_face, signs),
+            edge_faces: (starts, items, face_signs),
+            vertex_edges: (vertex_starts, vertex_edges, vertex_signs),
+        }
+    }
+
+    /// That the mesh has the same lists.
+    fn compare(&self, mesh: &FaceMesh) {
+        let complex = mesh.complex();
+        let part = |list: &(Vec<u32>, Vec<u32>, Vec<i8>), k: usize| {
+            let range = list.0[k] as usize..list.0[k + 1] as usize;
+            (list.1[range.clone()].to_vec(), list.2[range].to_vec())
+        };
+        let owned = |(ids, signs): (&[u32], &[i8])| (ids.to_vec(), signs.to_vec());
+        for face in 0..mesh.n_faces() {
+            let own = (&self.face_edges.0[face][..], &self.face_edges.1[face][..]);
+            assert_eq!(complex.boundary_column(2, face), own);
+        }
+        for (edge, ends) in self.edges.iter().enumerate() {
+            assert_eq!(complex.edge_vertices(edge), *ends);
+            let own = part(&self.edge_faces, edge);
+            assert_eq!(owned(complex.coboundary_column(2, edge)), own);
+        }
+        for vertex in 0..mesh.n_vertices() {
+            let own = part(&self.vertex_edges, vertex);
+            assert_eq!(owned(complex.coboundary_column(1, vertex)), own);
+        }
+    }
+}
+
+/// Bytes of a cell mesh of tetrahedra: its columns, with pointers where their lengths differ, the corners of its faces and those of
+/// its cells.
 fn bytes(mesh: &CellMesh) -> usize {
-    let matrix = |m: &BoundaryMatrix| 5 * m.nnz() + 4 * (m.cols() + 1);
-    let matrices = (1..=3).map(|k| matrix(mesh.boundary(k)) + matrix(mesh.boundary_transpose(k)));
-    matrices.sum::<usize>() + 16 * mesh.n_faces() + 20 * mesh.n_cells()
+    let entries = [2 * mesh.n_edges(), 3 * mesh.n_faces(), 4 * mesh.n_cells()];
+    let signed: usize = entries.iter().sum::<usize>() * 2 - entries[0];
+    let pointers = mesh.n_vertices() + mesh.n_edges() + mesh.n_faces() + mesh.n_cells();
+    let corners = 16 * mesh.n_faces() + 20 * mesh.n_cells();
+    8 * entries.iter().sum::<usize>() + signed + 4 * pointers + corners
 }
 
 /// Of both: that the numbers are the same.
@@ -228,6 +315,12 @@ fn measure_file(path: &str) {
             if let Some(triangles) = file.polygons.as_triangles().filter(|all| !all.is_empty()) {
                 let build = || FaceMesh::from_triangles(n_vertices, triangles).expect("a mesh");
                 measure(&format!("{label}, triangles"), triangles.len(), build);
+                let mesh = FaceMesh::from_triangles(n_vertices, triangles).expect("a mesh");
+                SameLists::new(n_vertices, triangles).compare(&mesh);
+                drop(mesh);
+                let build = || SameLists::new(n_vertices, triangles);
+                let name = format!("{label}, triangles by hand, the same lists");
+                measure(&name, triangles.len(), build);
                 let build = || edges::Edges::new(n_vertices, triangles);
                 measure(
                     &format!("{label}, triangles by hand"),

@@ -1,9 +1,10 @@
 //! The combinatorial core of every mesh: elements of dimension 0 to 3 and the boundary matrices between them.
 
 use std::fmt::{self, Debug};
+use std::ops::Range;
 use std::sync::OnceLock;
 
-use crate::boundary::{self, BoundaryMatrix};
+use crate::boundary::{self, BoundaryMatrix, Columns};
 use crate::mesh::MeshError;
 use crate::order::VertexOrder;
 use crate::steps::Steps;
@@ -18,7 +19,8 @@ use crate::steps::Steps;
 ///
 /// Every ∂ᵏ is stored together with its transpose, both in compressed columns, so that the boundary of an element and
 /// the elements around it are each one slice: [`boundary_column`](Self::boundary_column) and
-/// [`coboundary_column`](Self::coboundary_column). The unsigned matrices are made when first asked for.
+/// [`coboundary_column`](Self::coboundary_column). The matrices of `sprs`, which hold the same once more, are made when first
+/// asked for, each of the signed and unsigned ones by itself.
 ///
 /// # Panics
 /// Methods with a parameter `k` panic unless 1 ≤ k ≤ `dimension()`, those with an element number panic if there is no
@@ -33,13 +35,35 @@ pub struct CellComplex {
     steps: Steps,
 }
 
-/// ∂ᵏ for one k, in its four forms.
+/// ∂ᵏ for one k and its transpose; and both as matrices for users, with signs and without.
 #[derive(Clone)]
 struct Incidence {
-    boundary: BoundaryMatrix,
-    transpose: BoundaryMatrix,
-    unsigned_boundary: OnceLock<BoundaryMatrix>,
-    unsigned_transpose: OnceLock<BoundaryMatrix>,
+    columns: Columns,
+    transpose: Columns,
+    matrices: Box<[OnceLock<BoundaryMatrix>; 4]>,
+}
+
+impl Incidence {
+    fn new((columns, transpose): (Columns, Columns)) -> Self {
+        Incidence {
+            columns,
+            transpose,
+            matrices: Box::default(),
+        }
+    }
+
+    /// ∂ᵏ or its transpose as a matrix, kept for the next time.
+    fn matrix(&self, transposed: bool) -> &BoundaryMatrix {
+        self.matrices[usize::from(transposed)].get_or_init(|| match transposed {
+            false => self.columns.to_matrix(self.transpose.n()),
+            true => self.transpose.to_matrix(self.columns.n()),
+        })
+    }
+
+    fn unsigned_matrix(&self, transposed: bool) -> &BoundaryMatrix {
+        let is_made = || boundary::unsigned(self.matrix(transposed));
+        self.matrices[2 + usize::from(transposed)].get_or_init(is_made)
+    }
 }
 
 impl CellComplex {
@@ -50,22 +74,16 @@ impl CellComplex {
     pub(crate) fn new(
         n_vertices: usize,
         has_tails_first: bool,
-        matrices: Vec<(BoundaryMatrix, BoundaryMatrix)>,
+        matrices: Vec<(Columns, Columns)>,
     ) -> Self {
         let mut n_elements = [n_vertices, 0, 0, 0];
-        for (k, (boundary, _)) in matrices.iter().enumerate() {
-            n_elements[k + 1] = boundary.cols();
+        for (k, (columns, _)) in matrices.iter().enumerate() {
+            n_elements[k + 1] = columns.n();
         }
-        let incidence = |(boundary, transpose)| Incidence {
-            boundary,
-            transpose,
-            unsigned_boundary: OnceLock::new(),
-            unsigned_transpose: OnceLock::new(),
-        };
         CellComplex {
             n_elements,
             has_tails_first,
-            incidences: matrices.into_iter().map(incidence).collect(),
+            incidences: matrices.into_iter().map(Incidence::new).collect(),
             order: OnceLock::new(),
             steps: Steps::default(),
         }
@@ -99,19 +117,18 @@ impl CellComplex {
         }
         let mut checked = Vec::with_capacity(matrices.len());
         for (index, matrix) in matrices.iter().enumerate() {
-            let matrix = boundary::checked(index + 1, matrix)?;
-            let transpose = boundary::transpose(&matrix);
-            checked.push((matrix, transpose));
+            let columns = boundary::checked(index + 1, matrix)?;
+            let transpose = columns.transposed(matrix.rows());
+            checked.push((columns, transpose));
         }
         let mut complex = CellComplex::new(matrices[0].rows(), false, checked);
         complex.check_edges()?;
-        complex.has_tails_first = complex
-            .boundary(1)
-            .data()
-            .as_chunks::<2>()
-            .0
-            .iter()
-            .all(|signs| *signs == [-1, 1]);
+        let edges = &mut complex.incidences[0].columns;
+        (edges.pointers, edges.width) = (Vec::new(), 2);
+        complex.has_tails_first = edges.signs.as_chunks().0.iter().all(|s| *s == [-1, 1]);
+        if complex.has_tails_first {
+            edges.signs = Vec::new();
+        }
         for k in 2..=complex.dimension() {
             complex.check_boundary_of_boundary(k)?;
         }
@@ -154,18 +171,9 @@ impl CellComplex {
     }
 
     /// The same complex with cells, of which ∂³ and its transpose are given.
-    pub(crate) fn with_cells(
-        mut self,
-        boundary: BoundaryMatrix,
-        transpose: BoundaryMatrix,
-    ) -> Self {
-        self.n_elements[3] = boundary.cols();
-        self.incidences.push(Incidence {
-            boundary,
-            transpose,
-            unsigned_boundary: OnceLock::new(),
-            unsigned_transpose: OnceLock::new(),
-        });
+    pub(crate) fn with_cells(mut self, columns: Columns, transpose: Columns) -> Self {
+        self.n_elements[3] = columns.n();
+        self.incidences.push(Incidence::new((columns, transpose)));
         self
     }
 
@@ -228,18 +236,17 @@ impl CellComplex {
     /// Column `j` of ∂ᵏ: the sides of element `j` of dimension `k`, ascending, and their signs.
     #[inline]
     pub fn boundary_column(&self, k: usize, j: usize) -> (&[u32], &[i8]) {
-        boundary::column(&self.incidence(k).boundary, j)
+        self.incidence(k).columns.column(j)
     }
 
     /// The sides of element `j` of dimension `k`, ascending: [`boundary_column`](Self::boundary_column) without signs,
     /// which is faster.
     #[inline]
     pub fn boundary_elements(&self, k: usize, j: usize) -> &[u32] {
-        let matrix = &self.incidence(k).boundary;
+        let columns = &self.incidence(k).columns;
         match k {
-            // each column of ∂¹ has two entries: no column pointers are needed
-            1 => &matrix.indices().as_chunks::<2>().0[j],
-            _ => boundary::column_rows(matrix, j),
+            1 => columns.pair(j),
+            _ => columns.column_rows(j),
         }
     }
 
@@ -247,23 +254,22 @@ impl CellComplex {
     /// `k` − 1 is a side, ascending, and its sign in each.
     #[inline]
     pub fn coboundary_column(&self, k: usize, i: usize) -> (&[u32], &[i8]) {
-        boundary::column(&self.incidence(k).transpose, i)
+        self.incidence(k).transpose.column(i)
     }
 
     /// The elements of dimension `k` of which element `i` of dimension `k` − 1 is a side, ascending:
     /// [`coboundary_column`](Self::coboundary_column) without signs, which is faster.
     #[inline]
     pub fn coboundary_elements(&self, k: usize, i: usize) -> &[u32] {
-        boundary::column_rows(&self.incidence(k).transpose, i)
+        self.incidence(k).transpose.column_rows(i)
     }
 
     /// Tail and head of an edge: the rows of −1 and +1 in its column of ∂¹.
     #[inline]
     pub fn edge_vertices(&self, edge: usize) -> [u32; 2] {
-        // Each column of ∂¹ has two entries: no column pointers are needed.
-        let d1 = &self.incidence(1).boundary;
-        let [first, second] = d1.indices().as_chunks::<2>().0[edge];
-        if self.has_tails_first || d1.data()[2 * edge] < 0 {
+        let d1 = &self.incidence(1).columns;
+        let [first, second] = *d1.pair(edge);
+        if self.has_tails_first || d1.signs[2 * edge] < 0 {
             [first, second]
         } else {
             [second, first]
@@ -302,32 +308,37 @@ impl CellComplex {
         position.map_or(0, |position| signs[position])
     }
 
-    /// ∂ᵏ, shape n(k − 1) × n(k), entries −1 and +1.
+    /// Where the entries of a column of ∂ᵏ stand.
     #[inline]
-    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
-        &self.incidence(k).boundary
+    pub(crate) fn boundary_range(&self, k: usize, j: usize) -> Range<usize> {
+        self.incidence(k).columns.range(j)
     }
 
-    /// (∂ᵏ)ᵀ, shape n(k) × n(k − 1), entries −1 and +1: stored, in compressed columns.
-    #[inline]
+    /// Number of entries of ∂ᵏ.
+    pub(crate) fn n_entries(&self, k: usize) -> usize {
+        self.incidence(k).columns.rows.len()
+    }
+
+    /// ∂ᵏ, shape n(k − 1) × n(k), entries −1 and +1, in compressed columns. Made on the first call, and kept: 5 bytes for each
+    /// entry and 4 for each column. [`boundary_column`](Self::boundary_column) needs none of it.
+    pub fn boundary(&self, k: usize) -> &BoundaryMatrix {
+        self.incidence(k).matrix(false)
+    }
+
+    /// (∂ᵏ)ᵀ, shape n(k) × n(k − 1), entries −1 and +1, in compressed columns. Made on the first call, and kept, as
+    /// [`boundary`](Self::boundary). [`coboundary_column`](Self::coboundary_column) needs none of it.
     pub fn boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        &self.incidence(k).transpose
+        self.incidence(k).matrix(true)
     }
 
     /// |∂ᵏ|, shape n(k − 1) × n(k), entries 1. Made on the first call.
     pub fn unsigned_boundary(&self, k: usize) -> &BoundaryMatrix {
-        let incidence = self.incidence(k);
-        incidence
-            .unsigned_boundary
-            .get_or_init(|| boundary::unsigned(&incidence.boundary))
+        self.incidence(k).unsigned_matrix(false)
     }
 
     /// |∂ᵏ|ᵀ, shape n(k) × n(k − 1), entries 1: in compressed columns. Made on the first call.
     pub fn unsigned_boundary_transpose(&self, k: usize) -> &BoundaryMatrix {
-        let incidence = self.incidence(k);
-        incidence
-            .unsigned_transpose
-            .get_or_init(|| boundary::unsigned(&incidence.transpose))
+        self.incidence(k).unsigned_matrix(true)
     }
 }
 

@@ -136,7 +136,7 @@ impl CellComplex {
 
     fn all_vertices_of_faces(&self) -> &Lists {
         self.steps().vertices_of_faces.get_or_init(|| {
-            let n_corners = self.boundary(2).nnz();
+            let n_corners = self.n_entries(2);
             let list = |face: usize, list: &mut Vec<u32>| {
                 let start = list.len();
                 let edges = self.boundary_elements(2, face);

@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::polygon_edges::{self, Polygons};
-use crate::boundary::{self, Columns};
+use crate::boundary::Columns;
 use crate::complex::CellComplex;
 
 /// Faces of cells that are all triangles, or polygons.
@@ -88,6 +88,7 @@ pub(super) fn complex(n_vertices: usize, sides: Sides) -> Faces {
 
     let mut columns = Columns {
         pointers: sides.cells,
+        width: 0,
         rows: face_of,
         signs,
     };
@@ -104,16 +105,18 @@ pub(super) fn complex(n_vertices: usize, sides: Sides) -> Faces {
             columns.signs[place] = sign;
         }
     }
-    let boundary = columns.into_matrix(n_faces);
-    let transpose = boundary::transpose(&boundary);
-    let skeleton = polygon_edges::complex(&Polygons {
+    let transpose = columns.transposed(n_faces);
+    let skeleton = polygon_edges::complex(Polygons {
         n_vertices,
-        starts: &face_starts,
+        starts: match triangles {
+            true => Vec::new(),
+            false => face_starts.clone(),
+        },
         corners: &face_corners,
         all_triangles: triangles,
     });
     Faces {
-        complex: skeleton.with_cells(boundary, transpose),
+        complex: skeleton.with_cells(columns, transpose),
         starts: face_starts,
         corners: face_corners,
     }

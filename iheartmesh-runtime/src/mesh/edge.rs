@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::MeshError;
 use super::accessors::accessors;
 use super::graph::{self, Point};
-use crate::boundary::{self, BoundaryMatrix, Columns, MAX_EDGES, MAX_ELEMENTS};
+use crate::boundary::{BoundaryMatrix, Columns, MAX_EDGES, MAX_ELEMENTS};
 use crate::complex::CellComplex;
 use crate::element::{Edge, ElementKind, ElementSlice, Elements, Vertex};
 
@@ -104,19 +104,18 @@ impl EdgeMesh {
     fn from_pairs(n_vertices: usize, mut pairs: Vec<[u32; 2]>) -> EdgeMesh {
         pairs.par_sort_unstable();
         pairs.dedup();
-        let n_edges = pairs.len();
-        let boundary = Columns {
-            pointers: (0..=n_edges as u32).map(|edge| 2 * edge).collect(),
+        let columns = Columns {
+            pointers: Vec::new(),
+            width: 2,
             rows: pairs.into_flattened(),
-            signs: [-1, 1].repeat(n_edges),
-        }
-        .into_matrix(n_vertices);
-        let transpose = boundary::transpose(&boundary);
+            signs: Vec::new(),
+        };
+        let transpose = columns.transposed(n_vertices);
         EdgeMesh {
             complex: Arc::new(CellComplex::new(
                 n_vertices,
                 true,
-                vec![(boundary, transpose)],
+                vec![(columns, transpose)],
             )),
         }
     }

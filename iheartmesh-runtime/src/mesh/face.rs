@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::MeshError;
 use super::accessors::{accessors, face_accessors};
 use super::polygon_edges::{self, MAX_CORNERS, Polygons};
-use crate::boundary::{self, BoundaryMatrix, MAX_ELEMENTS};
+use crate::boundary::{BoundaryMatrix, MAX_ELEMENTS};
 use crate::complex::CellComplex;
 use crate::element::{Edge, ElementKind, ElementSlice, Elements, Face, Vertex};
 
@@ -57,10 +57,9 @@ impl FaceMesh {
     ) -> Result<FaceMesh, MeshError> {
         check_sizes(n_vertices, 3 * triangles.len())?;
         check_triangles(n_vertices, triangles)?;
-        let starts: Vec<u32> = (0..=triangles.len() as u32).map(|face| 3 * face).collect();
         Ok(Self::from_valid(
             n_vertices,
-            &starts,
+            Vec::new(),
             triangles.as_flattened().to_vec(),
             true,
         ))
@@ -100,23 +99,18 @@ impl FaceMesh {
             starts.push(corners.len() as u32);
         }
         let all_triangles = starts.windows(2).all(|range| range[1] - range[0] == 3);
-        Ok(Self::from_valid(
-            n_vertices,
-            &starts,
-            corners,
-            all_triangles,
-        ))
+        Ok(Self::from_valid(n_vertices, starts, corners, all_triangles))
     }
 
     fn from_valid(
         n_vertices: usize,
-        starts: &[u32],
+        starts: Vec<u32>,
         corners: Vec<u32>,
         all_triangles: bool,
     ) -> FaceMesh {
-        let complex = polygon_edges::complex(&Polygons {
+        let complex = polygon_edges::complex(Polygons {
             n_vertices,
-            starts,
+            starts: if all_triangles { Vec::new() } else { starts },
             corners: &corners,
             all_triangles,
         });
@@ -170,7 +164,7 @@ impl FaceMesh {
     /// The vertices of a face in its cyclic order, starting where the input did.
     #[inline]
     pub fn face_vertices(&self, face: Face) -> ElementSlice<'_, Vertex> {
-        let range = boundary::column_range(self.boundary(2), face.index());
+        let range = self.complex().boundary_range(2, face.index());
         ElementSlice::new(&self.data.corners[range])
     }
 
@@ -225,9 +219,10 @@ const PARALLEL_CHUNK: usize = 1 << 14;
 
 fn check_triangles(n_vertices: usize, triangles: &[[u32; 3]]) -> Result<(), MeshError> {
     let is_good = |&[a, b, c]: &[u32; 3]| {
-        (a.max(b).max(c) as usize) < n_vertices && a != b && b != c && c != a
+        ((a.max(b).max(c) as usize) < n_vertices) & (a != b) & (b != c) & (c != a)
     };
-    let is_good_chunk = |chunk: &[[u32; 3]]| chunk.iter().all(is_good);
+    // without branches
+    let is_good_chunk = |chunk: &[[u32; 3]]| chunk.iter().fold(true, |all, t| all & is_good(t));
     let is_good_mesh = if triangles.len() < PARALLEL_CHUNK {
         is_good_chunk(triangles)
     } else {

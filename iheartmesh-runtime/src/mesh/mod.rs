@@ -9,6 +9,7 @@ mod face;
 mod graph;
 mod grid;
 mod polygon_edges;
+mod polygon_incidence;
 mod polyhedra;
 mod queries;
 

@@ -14,7 +14,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
-use crate::boundary::{BoundaryMatrix, Columns};
+use super::polygon_incidence::{face_edges, vertex_edges};
+use crate::boundary::Columns;
 use crate::complex::CellComplex;
 
 /// Most corners that a mesh may have: the number of a half-edge and its direction share 32 bits.
@@ -23,10 +24,12 @@ pub(crate) const MAX_CORNERS: usize = u32::MAX as usize >> 1;
 /// Below this many corners threads cost more than they bring.
 const MIN_PARALLEL_CORNERS: usize = 1 << 15;
 
-/// Faces as vertex lists, already validated: face f has the corners `corners[starts[f]..starts[f + 1]]`.
+/// Faces as vertex lists, already validated: face f has the corners `corners[starts[f]..starts[f + 1]]`, or the three from
+/// `corners[3 * f]` where all are triangles.
 pub(crate) struct Polygons<'a> {
     pub(crate) n_vertices: usize,
-    pub(crate) starts: &'a [u32],
+    /// May be empty if all are triangles.
+    pub(crate) starts: Vec<u32>,
     pub(crate) corners: &'a [u32],
     pub(crate) all_triangles: bool,
 }
@@ -36,24 +39,27 @@ struct Buckets {
     vertices: Range<usize>,
     /// For each vertex of the range, where its bucket starts in `half_edges`; and the end.
     starts: Vec<u32>,
-    /// Larger vertex (32 bits), corner at which the half-edge starts (31 bits), whether it runs down (1 bit).
-    half_edges: Vec<u64>,
+    half_edges: Vec<HalfEdge>,
     /// For each vertex of the range, how many edges the buckets before it hold; and the total.
     first_edges: Vec<u32>,
 }
 
-#[inline]
-fn pack(larger: u32, corner: u32, downwards: bool) -> u64 {
-    u64::from(larger) << 32 | u64::from(corner << 1) | u64::from(downwards)
-}
+/// The corner at which a half-edge starts (31 bits) and whether it runs down (the lowest bit), then its larger vertex.
+type HalfEdge = [u32; 2];
 
 #[inline]
-fn larger_vertex(half_edge: u64) -> u32 {
-    (half_edge >> 32) as u32
+fn pack(larger: u32, corner: u32, downwards: bool) -> HalfEdge {
+    [corner << 1 | u32::from(downwards), larger]
+}
+
+/// By larger vertex, then by corner.
+#[inline]
+fn key([corner, larger]: HalfEdge) -> u64 {
+    u64::from(larger) << 32 | u64::from(corner)
 }
 
 /// The complex of the polygons, edges numbered lexicographically and oriented from the smaller to the larger vertex.
-pub(crate) fn complex(polygons: &Polygons) -> CellComplex {
+pub(crate) fn complex(mut polygons: Polygons) -> CellComplex {
     let n_threads = if polygons.corners.len() < MIN_PARALLEL_CORNERS {
         1
     } else {
@@ -61,34 +67,41 @@ pub(crate) fn complex(polygons: &Polygons) -> CellComplex {
     };
     let ranges = split(polygons.n_vertices, n_threads.min(16));
 
-    let buckets = map(ranges.clone(), |range| buckets(polygons, range));
-    let edges = number_edges(polygons, &buckets);
-    let first_edges = first_edges(&buckets, polygons.n_vertices);
-    drop(buckets);
+    let (edges, first_edges) = if ranges.len() == 1 {
+        number_edges_alone(&polygons)
+    } else {
+        let buckets = map(ranges.clone(), |range| buckets(&polygons, range));
+        let edges = number_edges(&polygons, &buckets);
+        (edges, first_edges(&buckets, polygons.n_vertices))
+    };
 
-    let n_edges = edges.edge_faces.pointers.len() - 1;
-    let n_faces = polygons.starts.len() - 1;
-    let n_vertices = polygons.n_vertices;
     let parallel = n_threads > 1;
-    let (edge_matrices, face_matrices) = join(
+    let (vertex_edges, (face_edges, signs)) = join(
         parallel,
-        || {
-            let vertex_edges = vertex_edges(&edges.vertices, &first_edges, ranges);
-            join(
-                parallel,
-                || edge_matrix(edges.vertices, n_vertices),
-                || vertex_edges.into_matrix(n_edges),
-            )
-        },
-        || {
-            join(
-                parallel,
-                || face_matrix(polygons, edges.of_corner, n_edges, parallel),
-                || edges.edge_faces.into_matrix(n_faces),
-            )
-        },
+        || vertex_edges(&edges.vertices, &first_edges, ranges),
+        || face_edges(&polygons, edges.of_corner, parallel),
     );
-    CellComplex::new(n_vertices, true, vec![edge_matrices, face_matrices])
+    // ∂¹: each edge has −1 at its tail, the smaller vertex, and +1 at its head
+    let edge_vertices = Columns {
+        pointers: Vec::new(),
+        width: 2,
+        rows: edges.vertices,
+        signs: Vec::new(),
+    };
+    let face_edges = Columns {
+        pointers: std::mem::take(&mut polygons.starts),
+        width: 3,
+        rows: face_edges,
+        signs,
+    };
+    CellComplex::new(
+        polygons.n_vertices,
+        true,
+        vec![
+            (edge_vertices, vertex_edges),
+            (face_edges, edges.edge_faces),
+        ],
+    )
 }
 
 fn join<A: Send, B: Send>(
@@ -112,7 +125,7 @@ fn split(n: usize, parts: usize) -> Vec<Range<usize>> {
 }
 
 /// The results of all tasks in order; on this thread if there is only one.
-fn map<T: Send, R: Send>(tasks: Vec<T>, run: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
+pub(super) fn map<T: Send, R: Send>(tasks: Vec<T>, run: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
     if tasks.len() == 1 {
         tasks.into_iter().map(run).collect()
     } else {
@@ -141,7 +154,9 @@ fn for_each_half_edge(polygons: &Polygons, mut visit: impl FnMut(u32, u32, u32))
     }
 }
 
-fn buckets(polygons: &Polygons, vertices: Range<usize>) -> Buckets {
+/// The half-edges whose smaller vertex lies in a range, by this vertex, in the order of their corners; and where those of each
+/// vertex start.
+fn half_edges(polygons: &Polygons, vertices: Range<usize>) -> (Vec<u32>, Vec<HalfEdge>) {
     let first_vertex = vertices.start as u32;
     let mut starts = vec![0_u32; vertices.len() + 1];
     for_each_half_edge(polygons, |_, tail, head| {
@@ -155,8 +170,9 @@ fn buckets(polygons: &Polygons, vertices: Range<usize>) -> Buckets {
         starts[i] += starts[i - 1];
     }
 
-    let mut cursors = starts[..vertices.len()].to_vec();
-    let mut half_edges = vec![0_u64; starts[vertices.len()] as usize];
+    // Each start moves to the end of its bucket, where the next one starts.
+    let mut half_edges = vec![[0; 2]; starts[vertices.len()] as usize];
+    let cursors = &mut starts[..vertices.len()];
     for_each_half_edge(polygons, |corner, tail, head| {
         if let Some(cursor) = cursors.get_mut(tail.min(head).wrapping_sub(first_vertex) as usize) {
             half_edges[*cursor as usize] = pack(tail.max(head), corner, head < tail);
@@ -164,17 +180,23 @@ fn buckets(polygons: &Polygons, vertices: Range<usize>) -> Buckets {
         }
     });
 
+    starts.pop();
+    starts.insert(0, 0);
+    (starts, half_edges)
+}
+
+fn buckets(polygons: &Polygons, vertices: Range<usize>) -> Buckets {
+    let (starts, mut half_edges) = half_edges(polygons, vertices.clone());
     // The corners of a bucket ascend already, and they are distinct: sorting the packed numbers keeps them in order.
-    let mut first_edges = cursors;
-    first_edges.push(0);
+    let mut first_edges = vec![0; starts.len()];
     let mut n_edges = 0;
     for (first_edge, range) in first_edges.iter_mut().zip(starts.windows(2)) {
         *first_edge = n_edges;
         let bucket = &mut half_edges[range[0] as usize..range[1] as usize];
         sort(bucket);
         let mut last = None;
-        for &half_edge in &*bucket {
-            let larger = Some(larger_vertex(half_edge));
+        for &[_, larger] in &*bucket {
+            let larger = Some(larger);
             n_edges += u32::from(larger != last);
             last = larger;
         }
@@ -190,14 +212,14 @@ fn buckets(polygons: &Polygons, vertices: Range<usize>) -> Buckets {
 
 /// Insertion sort in place for the short buckets of ordinary meshes, the library's sort for others.
 #[inline]
-fn sort(bucket: &mut [u64]) {
+fn sort(bucket: &mut [HalfEdge]) {
     if bucket.len() > 24 {
-        return bucket.sort_unstable();
+        return bucket.sort_unstable_by_key(|half_edge| key(*half_edge));
     }
     for i in 1..bucket.len() {
         let value = bucket[i];
         let mut hole = i;
-        while hole > 0 && bucket[hole - 1] > value {
+        while hole > 0 && key(bucket[hole - 1]) > key(value) {
             bucket[hole] = bucket[hole - 1];
             hole -= 1;
         }
@@ -213,6 +235,75 @@ struct Edges {
     edge_faces: Columns,
     /// The edge from each corner to the next corner of its face.
     of_corner: Vec<u32>,
+}
+
+/// All edges, and for each vertex the first edge of which it is the smaller one; and the number of edges.
+fn number_edges_alone(polygons: &Polygons) -> (Edges, Vec<u32>) {
+    if polygons.all_triangles {
+        return number_edges_with(polygons, |corner| corner / 3);
+    }
+    let faces = faces_of_corners(polygons);
+    number_edges_with(polygons, |corner| faces[corner as usize])
+}
+
+fn number_edges_with(
+    polygons: &Polygons,
+    face_of_corner: impl Fn(u32) -> u32,
+) -> (Edges, Vec<u32>) {
+    let n_corners = polygons.corners.len();
+    let (starts, mut half_edges) = half_edges(polygons, 0..polygons.n_vertices);
+    // on a closed surface each edge has two corners
+    let mut vertices: Vec<[u32; 2]> = Vec::with_capacity(n_corners.div_ceil(2));
+    let mut pointers = Vec::with_capacity(n_corners.div_ceil(2) + 1);
+    let mut signs = Vec::with_capacity(n_corners);
+    let mut of_corner = vec![0; n_corners];
+    let mut first_edges = Vec::with_capacity(starts.len());
+    for (vertex, range) in starts.windows(2).enumerate() {
+        first_edges.push(vertices.len() as u32);
+        let bucket = &mut half_edges[range[0] as usize..range[1] as usize];
+        sort(bucket);
+        let mut last = None;
+        for position in range[0]..range[1] {
+            let [corner, larger] = half_edges[position as usize];
+            if last != Some(larger) {
+                last = Some(larger);
+                pointers.push(position);
+                vertices.push([vertex as u32, larger]);
+            }
+            signs.push(1 - 2 * (corner & 1) as i8);
+            let corner = corner >> 1;
+            of_corner[corner as usize] = vertices.len() as u32 - 1;
+            // Faces take half of the memory of half-edges: this place was read before.
+            half_edges[position as usize / 2][position as usize % 2] = face_of_corner(corner);
+        }
+    }
+    first_edges.push(vertices.len() as u32);
+    pointers.push(n_corners as u32);
+    vertices.shrink_to_fit();
+    pointers.shrink_to_fit();
+    let mut faces = half_edges.into_flattened();
+    faces.truncate(n_corners);
+    faces.shrink_to_fit();
+    let edges = Edges {
+        vertices: vertices.into_flattened(),
+        edge_faces: Columns {
+            pointers,
+            width: 0,
+            rows: faces,
+            signs,
+        },
+        of_corner,
+    };
+    (edges, first_edges)
+}
+
+/// The face of each corner.
+fn faces_of_corners(polygons: &Polygons) -> Vec<u32> {
+    let mut faces = Vec::with_capacity(polygons.corners.len());
+    for (face, range) in polygons.starts.windows(2).enumerate() {
+        faces.resize(range[1] as usize, face as u32);
+    }
+    faces
 }
 
 /// What one range of buckets writes.
@@ -236,12 +327,6 @@ fn number_edges(polygons: &Polygons, buckets: &[Buckets]) -> Edges {
     let mut pointers = vec![0; n_edges + 1];
     let mut faces = vec![0; n_corners];
     let mut signs = vec![0; n_corners];
-    // Each corner is written once, by whichever thread holds its half-edge: order does not matter.
-    let of_corner: Vec<AtomicU32> = vec![0_u32; n_corners]
-        .into_iter()
-        .map(AtomicU32::new)
-        .collect();
-
     let mut tasks = Vec::with_capacity(buckets.len());
     {
         let (mut vertices, mut faces, mut signs) =
@@ -264,22 +349,17 @@ fn number_edges(polygons: &Polygons, buckets: &[Buckets]) -> Edges {
             first_half_edge += n_half_edges as u32;
         }
     }
-    if polygons.all_triangles {
-        map(tasks, |task| task.run(&of_corner, |corner| corner / 3));
+    let of_corner = if polygons.all_triangles {
+        edges_of_corners(tasks, n_corners, |corner| corner / 3)
     } else {
-        let mut face_of_corner = Vec::with_capacity(n_corners);
-        for (face, range) in polygons.starts.windows(2).enumerate() {
-            face_of_corner.resize(range[1] as usize, face as u32);
-        }
-        map(tasks, |task| {
-            task.run(&of_corner, |corner| face_of_corner[corner as usize])
-        });
-    }
-    let of_corner = of_corner.into_iter().map(AtomicU32::into_inner).collect();
+        let face_of_corner = faces_of_corners(polygons);
+        edges_of_corners(tasks, n_corners, |corner| face_of_corner[corner as usize])
+    };
     Edges {
         vertices,
         edge_faces: Columns {
             pointers,
+            width: 0,
             rows: faces,
             signs,
         },
@@ -287,8 +367,22 @@ fn number_edges(polygons: &Polygons, buckets: &[Buckets]) -> Edges {
     }
 }
 
+/// Runs the tasks, and gives the edge from each corner to the next.
+fn edges_of_corners(
+    tasks: Vec<EdgeTask>,
+    n_corners: usize,
+    face_of_corner: impl Fn(u32) -> u32 + Sync,
+) -> Vec<u32> {
+    // Each corner is written once, by whichever thread holds its half-edge: order does not matter.
+    let of_corner: Vec<AtomicU32> = (0..n_corners).map(|_| AtomicU32::new(0)).collect();
+    map(tasks, |task| {
+        task.run(&of_corner, &face_of_corner);
+    });
+    of_corner.into_iter().map(AtomicU32::into_inner).collect()
+}
+
 /// Cuts `length` items off the front of a slice.
-fn take<'a, T>(slice: &mut &'a mut [T], length: usize) -> &'a mut [T] {
+pub(super) fn take<'a, T>(slice: &mut &'a mut [T], length: usize) -> &'a mut [T] {
     let (front, back) = std::mem::take(slice).split_at_mut(length);
     *slice = back;
     front
@@ -306,19 +400,19 @@ impl EdgeTask<'_> {
         for (vertex, bucket) in self.buckets.vertices.clone().zip(buckets) {
             let mut last = None;
             for position in bucket {
-                let half_edge = self.buckets.half_edges[position];
-                let larger = larger_vertex(half_edge);
+                let [corner, larger] = self.buckets.half_edges[position];
+                let sign = 1 - 2 * (corner & 1) as i8;
+                let corner = corner >> 1;
                 if last != Some(larger) {
                     last = Some(larger);
                     self.vertices[2 * n_edges] = vertex as u32;
                     self.vertices[2 * n_edges + 1] = larger;
                     n_edges += 1;
                 }
-                let corner = half_edge as u32 >> 1;
                 of_corner[corner as usize]
                     .store(self.first_edge + n_edges as u32 - 1, Ordering::Relaxed);
                 self.faces[position] = face_of_corner(corner);
-                self.signs[position] = if half_edge & 1 == 0 { 1 } else { -1 };
+                self.signs[position] = sign;
                 self.pointers[n_edges - 1] = self.first_half_edge + position as u32 + 1;
             }
         }
@@ -336,137 +430,4 @@ fn first_edges(buckets: &[Buckets], n_vertices: usize) -> Vec<u32> {
     }
     first_edges.push(n_edges);
     first_edges
-}
-
-/// ∂¹: each edge has −1 at its tail, the smaller vertex, and +1 at its head.
-fn edge_matrix(vertices: Vec<u32>, n_vertices: usize) -> BoundaryMatrix {
-    let n_edges = vertices.len() / 2;
-    let pointers = (0..=n_edges as u32).map(|edge| 2 * edge).collect();
-    let signs = [-1, 1].repeat(n_edges);
-    Columns {
-        pointers,
-        rows: vertices,
-        signs,
-    }
-    .into_matrix(n_vertices)
-}
-
-/// ∂¹ᵀ: around each vertex first the edges that end there (they start at a smaller vertex), then those that start.
-fn vertex_edges(edge_vertices: &[u32], first_edges: &[u32], ranges: Vec<Range<usize>>) -> Columns {
-    let edge_vertices = edge_vertices.as_chunks::<2>().0;
-    let counts = map(ranges.clone(), |range| {
-        let mut counts = vec![0_u32; range.len()];
-        for &[_, head] in edge_vertices {
-            if let Some(count) = counts.get_mut(head.wrapping_sub(range.start as u32) as usize) {
-                *count += 1;
-            }
-        }
-        counts
-    });
-    let mut pointers = Vec::with_capacity(first_edges.len());
-    pointers.push(0);
-    let mut end = 0;
-    for (ending, starting) in counts.iter().flatten().zip(first_edges.windows(2)) {
-        end += ending + starting[1] - starting[0];
-        pointers.push(end);
-    }
-
-    let mut rows = vec![0; 2 * edge_vertices.len()];
-    let mut signs = vec![0; 2 * edge_vertices.len()];
-    let mut tasks = Vec::with_capacity(ranges.len());
-    let (mut all_rows, mut all_signs) = (&mut rows[..], &mut signs[..]);
-    for range in ranges {
-        let length = (pointers[range.end] - pointers[range.start]) as usize;
-        tasks.push((
-            range,
-            take(&mut all_rows, length),
-            take(&mut all_signs, length),
-        ));
-    }
-    map(tasks, |(range, rows, signs)| {
-        let offset = pointers[range.start];
-        let mut cursors: Vec<u32> = pointers[range.clone()]
-            .iter()
-            .map(|pointer| pointer - offset)
-            .collect();
-        for (edge, &[_, head]) in edge_vertices.iter().enumerate() {
-            if let Some(cursor) = cursors.get_mut(head.wrapping_sub(range.start as u32) as usize) {
-                rows[*cursor as usize] = edge as u32;
-                *cursor += 1;
-            }
-        }
-        for (vertex, cursor) in range.zip(cursors) {
-            let start = (pointers[vertex] - offset) as usize;
-            let (middle, end) = (cursor as usize, (pointers[vertex + 1] - offset) as usize);
-            for (row, edge) in rows[middle..end].iter_mut().zip(first_edges[vertex]..) {
-                *row = edge;
-            }
-            signs[start..middle].fill(1);
-            signs[middle..end].fill(-1);
-        }
-    });
-    Columns {
-        pointers,
-        rows,
-        signs,
-    }
-}
-
-/// ∂²: the edges of each face, ascending, +1 where the face runs along the edge.
-fn face_matrix(
-    polygons: &Polygons,
-    mut edges: Vec<u32>,
-    n_edges: usize,
-    parallel: bool,
-) -> BoundaryMatrix {
-    let mut signs = vec![0_i8; edges.len()];
-    if polygons.all_triangles {
-        let rows = edges.as_chunks_mut::<3>().0;
-        let signs = signs.as_chunks_mut::<3>().0;
-        let corners = polygons.corners.as_chunks::<3>().0;
-        let run = |((rows, signs), corners): ((&mut [u32; 3], &mut [i8; 3]), &[u32; 3])| {
-            let [a, b, c] = *corners;
-            let mut sides = [(rows[0], a < b), (rows[1], b < c), (rows[2], c < a)];
-            for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-                if sides[i].0 > sides[j].0 {
-                    sides.swap(i, j);
-                }
-            }
-            *rows = sides.map(|(edge, _)| edge);
-            *signs = sides.map(|(_, along)| if along { 1 } else { -1 });
-        };
-        if parallel {
-            rows.par_iter_mut()
-                .zip(signs)
-                .zip(corners)
-                .with_min_len(1 << 12)
-                .for_each(run);
-        } else {
-            rows.iter_mut().zip(signs).zip(corners).for_each(run);
-        }
-    } else {
-        let mut sides: Vec<(u32, i8)> = Vec::new();
-        for range in polygons.starts.windows(2) {
-            let range = range[0] as usize..range[1] as usize;
-            let corners = &polygons.corners[range.clone()];
-            let next = corners[1..].iter().chain(corners.first());
-            let along = corners
-                .iter()
-                .zip(next)
-                .map(|(tail, head)| if tail < head { 1 } else { -1 });
-            sides.clear();
-            sides.extend(edges[range.clone()].iter().copied().zip(along));
-            sides.sort_unstable();
-            for (position, &(edge, sign)) in range.zip(&sides) {
-                edges[position] = edge;
-                signs[position] = sign;
-            }
-        }
-    }
-    Columns {
-        pointers: polygons.starts.to_vec(),
-        rows: edges,
-        signs,
-    }
-    .into_matrix(n_edges)
 }
