@@ -334,9 +334,9 @@ fn non_manifold_vertices() {
         found.iter().map(|v| v.id()).collect::<Vec<u32>>()
     };
     // a fan, a disk whose faces are listed crosswise, and an isolated vertex
-    assert_eq!(non_manifold(5, &[[0, 1, 2], [0, 2, 3]]), []);
+    assert!(non_manifold(5, &[[0, 1, 2], [0, 2, 3]]).is_empty());
     let disk = [[0, 1, 2], [0, 4, 5], [0, 3, 4], [0, 2, 3], [0, 5, 1]];
-    assert_eq!(non_manifold(7, &disk), []);
+    assert!(non_manifold(7, &disk).is_empty());
     // two triangles that touch at a vertex; two disks
     assert_eq!(non_manifold(5, &[[0, 1, 2], [2, 3, 4]]), [2]);
     let cone = |a, b, c, d| [[a, b, c], [a, c, d], [a, d, b]];
@@ -344,5 +344,5 @@ fn non_manifold_vertices() {
     assert_eq!(non_manifold(7, &disks), [0]);
     // three faces at an edge
     assert_eq!(non_manifold(5, &[[0, 1, 2], [0, 1, 3], [0, 1, 4]]), [0, 1]);
-    assert_eq!(non_manifold(3, &[]), []);
+    assert!(non_manifold(3, &[]).is_empty());
 }

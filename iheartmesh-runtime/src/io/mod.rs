@@ -22,6 +22,9 @@
 //! | STL | text and binary: triangles, with normals; equal corners become one vertex | the same, binary, `f32` |
 //! | glTF (`.gltf`, `.glb`), with the feature `gltf` | positions, triangles, edges, values on vertices | the same, `f32` |
 //!
+//! No format is read or written with prisms, pyramids or other polyhedra: a file that has some is refused. Such meshes come from
+//! [`CellMesh::from_polyhedra`](crate::CellMesh::from_polyhedra).
+//!
 //! Vertices and faces keep their order, vertices that no face names are kept, polygons are not split, and positions are
 //! read as `f64`. What a format cannot hold is an error, not left out. A file that is not what its format demands is an
 //! [`IoError`] with the place; memory stays within a small multiple of the size of the file.
