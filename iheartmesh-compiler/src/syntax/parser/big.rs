@@ -180,6 +180,7 @@ impl Parser<'_> {
         let (from, to) = (Box::new(from), Box::new(to));
         let context = Context {
             cell: false,
+            integral: true,
             ..self.context
         };
         let body = Box::new(self.within(context, Self::expression)?);

@@ -20,6 +20,10 @@ impl Parser<'_> {
             false => Some(self.power()?),
         };
         let slash = self.kind() == Kind::Slash && self.ahead(1) == sign;
+        if !slash && self.context.integral && sign == Kind::Partial {
+            let help = "an integral ends with `𝕕` and its variable, as `∫_[0,1] t² 𝕕t` does";
+            return self.expected("`/` and what to differentiate by", help);
+        }
         if !slash {
             return self.expected("`/` and what to differentiate by", HELP);
         }

@@ -52,6 +52,8 @@ struct Context {
     builder: bool,
     /// In a dimension of a type.
     dimension: bool,
+    /// In what is integrated.
+    integral: bool,
 }
 
 impl Context {
@@ -62,6 +64,7 @@ impl Context {
         condition: false,
         builder: false,
         dimension: false,
+        integral: false,
     };
 }
 
@@ -277,8 +280,12 @@ impl Parser<'_> {
     /// The error that something else was expected here.
     fn expected<T>(&mut self, what: &str, help: &str) -> Parsed<T> {
         let found = self.found();
-        let span = self.here();
+        let mut span = self.here();
         let kind = self.kind();
+        if matches!(kind, Kind::Newline | Kind::Row) {
+            // the break itself, without the start of the next line
+            span.end = span.start;
+        }
         if kind == Kind::Unknown {
             return Err(Failed);
         }
