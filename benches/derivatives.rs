@@ -93,6 +93,8 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
             "`g`",
             "Hessian by hand",
             "`H`",
+            "`H_into`",
+            "`e`, `g`, `H`",
             "dual numbers",
             "psd by hand",
             "`P`",
@@ -104,6 +106,9 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let mut second = program();
                 let mut third = program();
                 let mut fourth = program();
+                let (mut fifth, mut sixth) = (program(), program());
+                let (mut second_at_hand, mut all_at_hand) = (fifth.H(), sixth.H());
+                let mut slope_at_hand = sixth.g();
                 let (mut h, mut d, mut p) = (values.clone(), values.clone(), values.clone());
                 let mut runs: Vec<Contestant<'_>> = vec![
                     contestant(|| by_hand::energy(elements, x)),
@@ -120,6 +125,16 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                     contestant(|| {
                         third.set_x(x).expect("as many as before");
                         third.H()
+                    }),
+                    contestant(|| {
+                        fifth.set_x(x).expect("as many as before");
+                        fifth.H_into(&mut second_at_hand);
+                    }),
+                    contestant(|| {
+                        sixth.set_x(x).expect("as many as before");
+                        sixth.g_into(&mut slope_at_hand);
+                        sixth.H_into(&mut all_at_hand);
+                        sixth.e()
                     }),
                     contestant(|| dual::hessian(elements, &pattern, x, &mut d)),
                     contestant(|| by_hand::hessian(elements, &pattern, x, true, &mut p)),
@@ -154,7 +169,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let times = contest(effort, &mut runs);
                 let per = |k: usize| times[k].as_secs_f64() * 1e9 / count as f64;
                 println!(
-                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | {:.0} |",
+                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | | | {:.0} |",
                     per(0), per(1), per(2), per(3)
                 );
             });
@@ -183,24 +198,33 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             assert!((module.e() - energy).abs() <= 1e-10 * energy);
             by_hand::gradient_of_cells(elements, x, &mut slope);
             assert!(difference(module.g().as_slice(), &slope) < 1e-10);
-            dual::hessian_of_cells(elements, &pattern, x, &mut values);
+            by_hand::hessian_of_cells(elements, &pattern, x, &mut values);
             assert!(difference(module.H().data(), &values) < 1e-10);
+            let mut duals = vec![0.0; values.len()];
+            dual::hessian_of_cells(elements, &pattern, x, &mut duals);
+            assert!(difference(&duals, &values) < 1e-10);
         }
         head(&[
             "energy by hand",
             "`e`",
             "gradient by hand",
             "`g`",
-            "dual numbers",
+            "Hessian by hand",
             "`H`",
+            "`H_into`",
+            "`e`, `g`, `H`",
+            "dual numbers",
             "`P`",
         ]);
         for threads in threads {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();
             pool.expect("threads can be started").install(|| {
                 let mut slope = slope.clone();
-                let mut modules = [program(), program(), program(), program()];
-                let [a, b, c, d] = &mut modules;
+                let mut modules: [_; 6] = std::array::from_fn(|_| program());
+                let [a, b, c, d, into, together] = &mut modules;
+                let (mut second_at_hand, mut all_at_hand) = (into.H(), together.H());
+                let mut slope_at_hand = together.g();
+                let (mut h, mut duals) = (values.clone(), values.clone());
                 let mut runs: Vec<Contestant<'_>> = vec![
                     contestant(|| by_hand::energy_of_cells(elements, x)),
                     contestant(|| {
@@ -212,11 +236,22 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
                         b.set_x(x).expect("as many as before");
                         b.g()
                     }),
-                    contestant(|| dual::hessian_of_cells(elements, &pattern, x, &mut values)),
+                    contestant(|| by_hand::hessian_of_cells(elements, &pattern, x, &mut h)),
                     contestant(|| {
                         c.set_x(x).expect("as many as before");
                         c.H()
                     }),
+                    contestant(|| {
+                        into.set_x(x).expect("as many as before");
+                        into.H_into(&mut second_at_hand);
+                    }),
+                    contestant(|| {
+                        together.set_x(x).expect("as many as before");
+                        together.g_into(&mut slope_at_hand);
+                        together.H_into(&mut all_at_hand);
+                        together.e()
+                    }),
+                    contestant(|| dual::hessian_of_cells(elements, &pattern, x, &mut duals)),
                     contestant(|| {
                         d.set_x(x).expect("as many as before");
                         d.P()

@@ -240,3 +240,97 @@ pub fn gradient_of_cells(elements: &Elements<4, DMat3>, x: &[DVec3], gradient: &
         }
     }
 }
+
+/// The second derivatives of one tetrahedron by its Jacobian, the lower triangle. With `n = ‖J‖²` and cofactors `c`,
+/// `‖c‖² = ½ (n² - ‖JᵀJ‖²)` and `∂‖c‖²/∂J = 2 (n J - J Jᵀ J)`.
+#[inline(always)]
+fn by_jacobian_of_cell(jacobian: DMat3, c: DMat3, d: f64, size: f64) -> [[f64; 9]; 9] {
+    let r = 1.0 / d;
+    let (r2, r3) = (r * r, r * r * r);
+    let (n, m) = (square(jacobian), square(c));
+    let right = jacobian.transpose() * jacobian;
+    let left = (jacobian * jacobian.transpose()).to_cols_array_2d();
+    let slope = ((jacobian * n - jacobian * right) * 2.0).to_cols_array();
+    let (u, v) = (jacobian.to_cols_array(), c.to_cols_array());
+    let (j, right) = (jacobian.to_cols_array_2d(), right.to_cols_array_2d());
+    let mut k = [[0.0; 9]; 9];
+    for p in 0..9 {
+        let (a, i) = (p / 3, p % 3);
+        for q in 0..=p {
+            let (b, l) = (q / 3, q % 3);
+            // of ‖c‖²
+            let mut second = 4.0 * u[p] * u[q] - 2.0 * j[b][i] * j[a][l];
+            if i == l {
+                second -= 2.0 * right[a][b];
+            }
+            if a == b {
+                second -= 2.0 * left[i][l];
+            }
+            if p == q {
+                second += 2.0 * n;
+            }
+            let mut entry = r2 * second - 2.0 * r3 * (slope[p] * v[q] + v[p] * slope[q])
+                + 6.0 * m * r2 * r2 * v[p] * v[q];
+            if p == q {
+                entry += 2.0;
+            }
+            // of d, which is linear in each column: the vector product with the third one
+            if a != b && i != l {
+                let sign = if ((l + 3 - i) % 3 == 1) == ((b + 3 - a) % 3 == 1) {
+                    1.0
+                } else {
+                    -1.0
+                };
+                entry -= 2.0 * m * r3 * sign * j[3 - a - b][3 - i - l];
+            }
+            k[p][q] = size * entry;
+        }
+    }
+    k
+}
+
+/// The second derivatives of the energy of tetrahedra into the entries of a pattern.
+pub fn hessian_of_cells(
+    elements: &Elements<4, DMat3>,
+    pattern: &Pattern,
+    x: &[DVec3],
+    values: &mut [f64],
+) {
+    values.fill(0.0);
+    for (t, size) in elements.sizes.iter().enumerate() {
+        let (j, c, d) = jacobian_of_cell(elements, t, x);
+        if d <= 0.0 {
+            continue;
+        }
+        let lower = by_jacobian_of_cell(j, c, d, *size);
+        let k = |p: usize, q: usize| lower[p.max(q)][p.min(q)];
+        // J = ∑_v x_v w_vᵀ
+        let q = elements.inverses[t].transpose();
+        let w = [
+            -q.x_axis - q.y_axis - q.z_axis,
+            q.x_axis,
+            q.y_axis,
+            q.z_axis,
+        ];
+        let mut block = [[0.0; 12]; 12];
+        for (b, wb) in w.iter().enumerate() {
+            for l in 0..3 {
+                let column: [f64; 9] = std::array::from_fn(|p| {
+                    k(p, l) * wb.x + k(p, l + 3) * wb.y + k(p, l + 6) * wb.z
+                });
+                for (a, wa) in w.iter().enumerate() {
+                    for m in 0..3 {
+                        block[3 * b + l][3 * a + m] =
+                            column[m] * wa.x + column[m + 3] * wa.y + column[m + 6] * wa.z;
+                    }
+                }
+            }
+        }
+        for (slot, value) in pattern.slots[144 * t..144 * t + 144]
+            .iter()
+            .zip(block.as_flattened())
+        {
+            values[*slot as usize] += value;
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Values that several threads compute and one at a time uses, in order.
 
+use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -19,9 +20,9 @@ struct State<F> {
     failed: Option<(usize, Fault)>,
 }
 
-/// Computes the values of `0..n` on all threads and uses them in this order, each thread what is ready when it has
-/// computed something. No thread ever waits for another: nobody is held up by one that is slow, and what is computed
-/// meanwhile is still in the caches when it is used. `memory` is kept from call to call.
+/// Computes the values of `0..n` on all threads and uses them in this order. A thread uses those that it has computed
+/// itself, which are in its caches; as long as it is not their turn it computes more. So no thread waits for another. What
+/// is left when all are computed, any thread uses. `memory` is kept from call to call.
 ///
 /// # Errors
 /// The first in order.
@@ -41,38 +42,35 @@ pub(super) fn in_order(
     let started = AtomicUsize::new(0);
     let has_failed = AtomicBool::new(false);
     let work = || {
-        let mut values = locked(&state).free.pop().unwrap_or_default();
+        // those of this thread that wait for their turn
+        let mut own: VecDeque<(usize, Vec<f64>)> = VecDeque::new();
         // whatever has been started is finished, so that the first failure is found
         while !has_failed.load(Ordering::Relaxed) {
             let k = started.fetch_add(1, Ordering::Relaxed);
             if k >= n {
                 break;
             }
-            let outcome = compute(k, &mut values);
-            let mut now = locked(&state);
-            if let Err(fault) = outcome {
+            let mut values = locked(&state).free.pop().unwrap_or_default();
+            if let Err(fault) = compute(k, &mut values) {
+                let mut now = locked(&state);
                 if now.failed.is_none_or(|(first, _)| k < first) {
                     now.failed = Some((k, fault));
                 }
                 has_failed.store(true, Ordering::Relaxed);
+                now.free.push(values);
                 break;
             }
-            let other = now.free.pop().unwrap_or_default();
-            now.waiting.push((k, std::mem::replace(&mut values, other)));
-            let Some(mut user) = now.user.take() else {
-                continue;
-            };
-            while let Some(place) = now.waiting.iter().position(|(k, _)| *k == now.used) {
-                let (k, ready) = now.waiting.swap_remove(place);
-                drop(now);
-                user(k, &ready);
-                now = locked(&state);
-                now.free.push(ready);
-                now.used += 1;
-            }
-            now.user = Some(user);
+            own.push_back((k, values));
+            use_all(&state, |now| {
+                let is_next = own.front().is_some_and(|(k, _)| *k == now.used);
+                is_next.then(|| own.pop_front()).flatten()
+            });
         }
-        locked(&state).free.push(values);
+        locked(&state).waiting.extend(own);
+        use_all(&state, |now| {
+            let place = now.waiting.iter().position(|(k, _)| *k == now.used)?;
+            Some(now.waiting.swap_remove(place))
+        });
     };
     rayon::scope(|scope| {
         for _ in 1..rayon::current_num_threads().min(n) {
@@ -85,6 +83,25 @@ pub(super) fn in_order(
     state.free.extend(waiting);
     *memory = state.free;
     state.failed.map_or(Ok(()), |(_, fault)| Err(fault))
+}
+
+/// Uses what `next` finds, until it finds nothing or another thread uses something.
+fn use_all<F: FnMut(usize, &[f64])>(
+    state: &Mutex<State<F>>,
+    mut next: impl FnMut(&mut State<F>) -> Option<(usize, Vec<f64>)>,
+) {
+    let mut now = locked(state);
+    let Some(mut user) = now.user.take() else {
+        return;
+    };
+    while let Some((k, values)) = next(&mut now) {
+        drop(now);
+        user(k, &values);
+        now = locked(state);
+        now.used += 1;
+        now.free.push(values);
+    }
+    now.user = Some(user);
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

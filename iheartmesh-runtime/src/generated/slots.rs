@@ -17,6 +17,10 @@ pub(super) const MISSING: u32 = u32::MAX;
 /// Fewer chunks than this are done before another thread has woken up.
 const FEW: usize = 16;
 
+/// So many chunks are computed together where there are several threads. Entries that neighbouring terms share are added to
+/// by one of them, then: the more, the less often they go from one core to another.
+const GROUP: usize = 4;
+
 /// Where the entries of a sum of blocks go. Blocks come in the order of the loops; of each the columns, of each column
 /// the pieces that stay together.
 #[derive(Debug)]
@@ -97,12 +101,9 @@ impl Slots {
         values: impl Fn(Range<usize>, &mut Terms<'_>) -> Fallible<()> + Sync,
     ) -> Fallible<()> {
         let chunks = self.parts.get(part).map_or(&[][..], Vec::as_slice);
-        let evaluate = |chunk: &Chunk, memory: &mut Vec<f64>| {
-            if memory.len() < chunk.values {
-                memory.resize(chunk.values, 0.0);
-            }
+        let evaluate = |chunk: &Chunk, room: &mut [f64]| {
             let mut terms = Terms {
-                values: &mut memory[..chunk.values],
+                values: room,
                 slots: match chunk.missing {
                     true => &self.slots[chunk.pieces.clone()],
                     false => &[],
@@ -117,19 +118,31 @@ impl Slots {
             let mut values = memory.pop().unwrap_or_default();
             let mut chunks = chunks.iter();
             let done = chunks.try_for_each(|chunk| {
-                evaluate(chunk, &mut values)?;
+                evaluate(chunk, room(&mut values, chunk.values))?;
                 self.scatter(chunk, &values, data);
                 Ok(())
             });
             memory.push(values);
             done
         } else {
-            in_order(
-                chunks.len(),
-                &mut memory,
-                |k, values| evaluate(&chunks[k], values),
-                |k, values| self.scatter(&chunks[k], values, data),
-            )
+            let groups = chunks.len().div_ceil(GROUP);
+            let group = |k: usize| &chunks[GROUP * k..chunks.len().min(GROUP * (k + 1))];
+            let compute = |k: usize, values: &mut Vec<f64>| {
+                let all = group(k).iter().map(|chunk| chunk.values).sum();
+                let mut rest = room(values, all);
+                group(k).iter().try_for_each(|chunk| {
+                    let (first, after) = std::mem::take(&mut rest).split_at_mut(chunk.values);
+                    rest = after;
+                    evaluate(chunk, first)
+                })
+            };
+            in_order(groups, &mut memory, compute, |k, values| {
+                let mut rest = values;
+                for chunk in group(k) {
+                    self.scatter(chunk, rest, data);
+                    rest = &rest[chunk.values..];
+                }
+            })
         };
         *self.memory() = memory;
         done
@@ -161,6 +174,14 @@ impl Slots {
             }
         }
     }
+}
+
+/// Memory for so many numbers.
+fn room(memory: &mut Vec<f64>, count: usize) -> &mut [f64] {
+    if memory.len() < count {
+        memory.resize(count, 0.0);
+    }
+    &mut memory[..count]
 }
 
 #[inline(always)]
