@@ -70,15 +70,7 @@ impl GradientDescent {
         let mut direction = vec![0.0; start.len()];
         let (mut rule, mut length, mut before) = (None, 0.0, None);
         let stop = loop {
-            let progress = Progress {
-                step: point.step,
-                x: &point.x,
-                energy: point.energy,
-                gradient: point.slope(),
-                length,
-                decrement: f64::NAN,
-            };
-            if report(&progress).is_break() {
+            if report(&point.progress(length, f64::NAN)).is_break() {
                 break Stop::Callback;
             }
             if point.slope() <= self.gradient {
@@ -112,13 +104,7 @@ impl GradientDescent {
                 }
             };
         };
-        Ok(Minimum {
-            energy: point.energy,
-            gradient: point.slope(),
-            steps: point.step,
-            x: point.x,
-            stop,
-        })
+        Ok(point.minimum(stop))
     }
 
     fn check(&self) -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use iheartmesh_runtime::nalgebra::DVector;
 
-use super::Error;
+use super::{Error, Minimum, Progress, Stop};
 use crate::objective::{Failure, Objective};
 
 /// What an energy falls by cannot be told from rounding where it is less than this part of the energy.
@@ -88,6 +88,29 @@ impl Point {
     /// The greatest absolute value in the gradient.
     pub fn slope(&self) -> f64 {
         self.gradient.amax()
+    }
+
+    /// What is reported of it. `length` and `decrement` are those of the step that led here.
+    pub fn progress(&self, length: f64, decrement: f64) -> Progress<'_> {
+        Progress {
+            step: self.step,
+            x: &self.x,
+            energy: self.energy,
+            gradient: self.slope(),
+            length,
+            decrement,
+        }
+    }
+
+    /// The result of a search that ends here.
+    pub fn minimum(self, stop: Stop) -> Minimum {
+        Minimum {
+            energy: self.energy,
+            gradient: self.slope(),
+            steps: self.step,
+            x: self.x,
+            stop,
+        }
     }
 
     fn differentiate(&mut self, objective: &mut impl Objective) -> Result<(), Error> {

@@ -74,15 +74,7 @@ impl Newton {
         let mut direction = vec![0.0; start.len()];
         let (mut length, mut decrement) = (0.0, f64::NAN);
         let stop = loop {
-            let progress = Progress {
-                step: point.step,
-                x: &point.x,
-                energy: point.energy,
-                gradient: point.slope(),
-                length,
-                decrement,
-            };
-            if report(&progress).is_break() {
+            if report(&point.progress(length, decrement)).is_break() {
                 break Stop::Callback;
             }
             if point.slope() <= self.gradient {
@@ -102,13 +94,7 @@ impl Newton {
                 None => break Stop::Rounding,
             }
         };
-        Ok(Minimum {
-            energy: point.energy,
-            gradient: point.slope(),
-            steps: point.step,
-            x: point.x,
-            stop,
-        })
+        Ok(point.minimum(stop))
     }
 
     fn check(&self) -> Result<(), Error> {
