@@ -101,7 +101,7 @@ for_both! {
             ..CellularSet::default()
         };
         let (s, set) = (Vertex::new(1), vertices(&[2, 3]));
-        let mut a = Inputs::new(&mesh, &numbers, &x, s, &set, &cellular).unwrap();
+        let mut a = Inputs::new(&mesh, &numbers, x, s, &set, &cellular).unwrap();
         assert_eq!((a.count(), a.largest(), a.part_of_D()), (2, 2.0, 2));
         assert_eq!((a.touched(), a.here()), (vertices(&[3]), x[1]));
         assert_eq!(
