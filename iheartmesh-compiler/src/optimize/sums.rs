@@ -74,7 +74,10 @@ fn together(
             others.push(*second);
         }
         Kind::Fold {
-            range, condition, ..
+            op,
+            range,
+            condition,
+            ..
         } => {
             let outside: Vec<ExprId> = match *range {
                 Range::Set(set) => vec![set],
@@ -84,14 +87,7 @@ fn together(
             for e in &outside {
                 inside(*e);
             }
-            let is_sum = matches!(
-                arena.kind(e),
-                Kind::Fold {
-                    op: Fold::Sum,
-                    range: Range::Set(_),
-                    ..
-                }
-            );
+            let is_sum = *op == Fold::Sum && matches!(range, Range::Set(_));
             if is_sum && condition.is_none() && length(arena, e).is_some() {
                 sums.insert(e);
             }

@@ -121,26 +121,27 @@ impl Union<'_> {
                 flat: is_flat(plan, space),
                 alone,
             };
-            let values: Vec<Column> = space.columns.clone();
+            // what names the columns of such a space, too, is not told of other numbers
+            let is_fixed = is_fixed || alone;
             let candidates: Vec<usize> = (0..self.entries.len())
                 .filter(|k| self.entries[*k].has_rows_of(&entry))
                 .collect();
             // the variable of the rows is that of the table
             let place = candidates
                 .into_iter()
-                .find(|k| self.takes(*k, space.variable, &values, &names, is_fixed))
+                .find(|k| self.takes(*k, space, &names, is_fixed))
                 .unwrap_or(self.entries.len());
             if place == self.entries.len() {
                 self.entries.push(entry);
             }
-            if !values.is_empty() {
+            if !space.columns.is_empty() {
                 let entry = &mut self.entries[place];
-                entry.narrowest = entry.narrowest.min(values.len());
+                entry.narrowest = entry.narrowest.min(space.columns.len());
             }
             let variable = self.entries[place].space.variable;
             self.of.insert(space.variable, variable);
             names.insert(space.variable, self.arena.variable(variable));
-            for (k, column) in values.iter().enumerate() {
+            for (k, column) in space.columns.iter().enumerate() {
                 let (value, form) = self.renamed(column.value, &names);
                 let entry = &mut self.entries[place];
                 let number = match is_fixed {
@@ -167,17 +168,20 @@ impl Union<'_> {
     fn takes(
         &mut self,
         place: usize,
-        variable: VariableId,
-        columns: &[Column],
+        space: &Space,
         names: &HashMap<VariableId, ExprId>,
         is_fixed: bool,
     ) -> bool {
         let entry = &self.entries[place];
-        let (table, narrowest) = (entry.space.variable, entry.narrowest.min(columns.len()));
+        let (table, narrowest) = (
+            entry.space.variable,
+            entry.narrowest.min(space.columns.len()),
+        );
         let known = entry.columns.clone();
         let mut names = names.clone();
-        names.insert(variable, self.arena.variable(table));
-        let columns = columns
+        names.insert(space.variable, self.arena.variable(table));
+        let columns = space
+            .columns
             .iter()
             .map(|column| self.renamed(column.value, &names).1);
         let columns: Vec<ExprId> = columns.collect();

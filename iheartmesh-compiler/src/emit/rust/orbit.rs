@@ -28,10 +28,10 @@ impl Context<'_> {
             (key, table, exchange, orbit.terms.len())
         };
         let own = groups(id, orbit);
-        let orbit_of = |staged: &'_ Staged| staged.whole.as_ref()?.orbit.clone();
         let mut functions = self.staged.functions.iter();
         let same = functions.find(|(other, staged)| {
-            orbit_of(staged).is_some_and(|orbit| groups(**other, &orbit) == own)
+            let orbit = staged.whole.as_ref().and_then(|w| w.orbit.as_ref());
+            orbit.is_some_and(|orbit| groups(**other, orbit) == own)
         });
         same.map_or(id, |(first, _)| *first)
     }
