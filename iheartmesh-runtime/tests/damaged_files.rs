@@ -43,6 +43,24 @@ fn volume() -> MeshFile {
     file.polygons.push(&[0, 1, 3, 2]);
     file.tetrahedra.push([0, 1, 2, 4]);
     file.hexahedra.push([0, 1, 3, 2, 4, 5, 7, 6]);
+    file.polyhedra.push_prism([0, 1, 2, 4, 5, 6]);
+    file.polyhedra.push_pyramid([0, 1, 3, 2, 4]);
+    file
+}
+
+/// The same, with an octahedron too.
+fn polyhedra() -> MeshFile {
+    let mut file = volume();
+    file.polyhedra.push([
+        [0, 1, 2],
+        [1, 3, 2],
+        [3, 4, 2],
+        [4, 0, 2],
+        [1, 0, 5],
+        [3, 1, 5],
+        [4, 3, 5],
+        [0, 4, 5],
+    ]);
     file
 }
 
@@ -64,7 +82,7 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
         .clone()
         .vertex_scalar("K", [0.25; 8])
         .edge_scalar("length", [1.0])
-        .cell_scalar("volume", [1.0, 6.0]);
+        .cell_scalar("volume", [1.0, 6.0, 2.0, 3.0]);
     let mut polygons = surface();
     polygons.polygons.push(&[0, 1, 3, 2]);
     let mut samples = vec![
@@ -74,6 +92,7 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
         ("a.mesh", volume()),
         ("a.msh", with(volume(), cells.clone())),
         ("a.vtk", with(volume(), cells)),
+        ("a.vtk", polyhedra()),
         ("a.vtk", with(surface(), faces)),
         ("a.stl", surface()),
     ];
@@ -105,12 +124,24 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
     text("a.msh", include_str!("../../meshes/two_tets_fig3_v41.msh"));
     text(
         "a.vtk",
+        include_str!("../../meshes/cells/cells_51_text.vtk"),
+    );
+    text(
+        "a.vtk",
         "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n\
          METADATA\nINFORMATION 0\n\nLINES 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n\
          TRIANGLE_STRIPS 1 5\n4 0 1 2 3\nCELL_DATA 2\nFIELD FieldData 1\nkind 1 2 int\n7 8\n\
          POINT_DATA 4\nSCALARS s double 2\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n",
     );
     // binary
+    samples.push((
+        "a.vtk",
+        include_bytes!("../../meshes/cells/cells_42_binary.vtk").to_vec(),
+    ));
+    samples.push((
+        "a.msh",
+        include_bytes!("../../meshes/cells/cells_22_binary.msh").to_vec(),
+    ));
     let ints = |all: &[i32]| -> Vec<u8> { all.iter().flat_map(|x| x.to_be_bytes()).collect() };
     let doubles: Vec<u8> = [0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5_f64]
         .iter()
@@ -235,9 +266,15 @@ fn check(name: &str, bytes: &[u8]) {
     let corners = corners.chain(file.edges.iter().flatten());
     let mut corners = corners
         .chain(file.tetrahedra.iter().flatten())
-        .chain(file.hexahedra.iter().flatten());
+        .chain(file.hexahedra.iter().flatten())
+        .chain(file.polyhedra.faces().corners());
     assert!(corners.all(|&corner| (corner as usize) < n), "{name}");
-    let _ = (file.face_mesh(), file.edge_mesh(), file.cell_mesh());
+    let _ = (file.face_mesh(), file.edge_mesh());
+    if let Ok(mesh) = file.cell_mesh() {
+        let again = MeshFile::of_cells(file.positions.clone(), &mesh).cell_mesh();
+        let again = again.unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(again.boundary(3), mesh.boundary(3), "{name}");
+    }
     let mut merged = file.clone();
     merged.merge_equal_positions();
     // also checks that there are as many values as elements
@@ -247,8 +284,8 @@ fn check(name: &str, bytes: &[u8]) {
                 io::from_bytes("again.vtk", &written).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(again.positions, file.positions);
             assert_eq!(
-                (again.tetrahedra, again.hexahedra),
-                (file.tetrahedra, file.hexahedra)
+                (again.tetrahedra, again.hexahedra, again.polyhedra),
+                (file.tetrahedra, file.hexahedra, file.polyhedra)
             );
         }
         Err(error) => {

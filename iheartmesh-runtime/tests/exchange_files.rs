@@ -48,6 +48,8 @@ fn everything() -> MeshFile {
     file.polygons.push(&[5, 1, 2, 8]);
     file.tetrahedra.push([0, 3, 2, 1]);
     file.hexahedra.extend([[0, 1, 2, 3, 4, 5, 6, 7]; 2]);
+    file.polyhedra.push_pyramid([8, 7, 6, 5, 4]);
+    file.polyhedra.push_prism([0, 2, 4, 6, 8, 1]);
     file.attributes = Attributes::new()
         .vertex_scalar(
             "heat",
@@ -57,8 +59,12 @@ fn everything() -> MeshFile {
         .edge_scalar("length", [0.1, f64::NAN])
         .face_scalar("area", [0.5, 2.0 / 3.0])
         .face_vector("flow", [DVec3::X, DVec3::new(0.1, 0.2, 0.3)])
-        .cell_scalar("volume", [1.0 / 6.0, 1.0, 2.0])
-        .cell_vector("drift", [DVec3::Y, DVec3::Z, DVec3::ONE]);
+        .cell_scalar("area", [4.0, 3.0, 2.0, 1.0, f64::INFINITY])
+        .cell_scalar("volume", [1.0 / 6.0, 1.0, 2.0, 0.1, 0.3])
+        .cell_vector(
+            "drift",
+            [DVec3::Y, DVec3::Z, DVec3::ONE, DVec3::X, DVec3::ZERO],
+        );
     file
 }
 
@@ -78,6 +84,7 @@ fn assert_same(read: &MeshFile, written: &MeshFile) {
     assert_eq!(read.polygons, written.polygons);
     assert_eq!(read.tetrahedra, written.tetrahedra);
     assert_eq!(read.hexahedra, written.hexahedra);
+    assert_eq!(read.polyhedra, written.polyhedra);
     assert_eq!(shown(read), shown(written));
 }
 

@@ -111,8 +111,13 @@ fn gmsh() {
         ),
         (
             "{nodes}$Elements\n1\n1 9 0 1 5\n",
-            "11: elements of type 9 are neither edges, triangles, quadrilaterals, tetrahedra nor hexahedra of first order; \
-             save the mesh with such elements".to_owned(),
+            "11: elements of type 9 are neither edges, triangles, quadrilaterals, tetrahedra, hexahedra, prisms nor pyramids \
+             of first order; make the mesh of first order, with vertices at the corners of elements only, and save it again"
+                .to_owned(),
+        ),
+        (
+            "{nodes}$Elements\n1\n1 6 0 1 5 1 5 1\n",
+            format!("11: the file ends before a node; {truncated}"),
         ),
         (
             "{nodes}$Elements\n1\n1 1 -1 1 5\n",
@@ -187,12 +192,12 @@ fn vtk() {
         ("{head}POINTS 2 float\n0 0 0 1 x\n", "6: a coordinate `x` is no number; write it as 1.5e-3".to_owned()),
         ("{head}POINTS 2 float\n0 0 0 1 2\n", format!("6: the file ends before a coordinate; {truncated}")),
         (
-            "{points}CELLS 1 4\n3 0 1 3\n",
-            "10: a cell names vertex 3, but the file has 3 vertices; vertices are numbered from 0".to_owned(),
+            "{points}CELLS 1 4\n3 0 1 3\nCELL_TYPES 1\n5\n",
+            "10: cell 0 names vertex 3, but the file has 3 vertices; vertices are numbered from 0".to_owned(),
         ),
         (
-            "{points}CELLS 1 4\n3 0 1 -1\n",
-            "10: a cell names vertex -1, but the file has 3 vertices; vertices are numbered from 0".to_owned(),
+            "{points}CELLS 1 4\n3 0 1 -1\nCELL_TYPES 1\n5\n",
+            "10: cell 0 names vertex -1, but the file has 3 vertices; vertices are numbered from 0".to_owned(),
         ),
         (
             "{points}CELLS 1 4\n4 0 1 2\n",
@@ -205,13 +210,28 @@ fn vtk() {
         ("{points}CELLS 1 4\n3 0 1 2\n", format!("10: there are 1 cells, but types of 0; {damaged}")),
         (
             "{points}CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n",
-            "12: cell 0 of type 10 has 3 corners; remove it, or save it as other cells".to_owned(),
+            "10: cell 0 of type 10 has 3 corners; remove it, or save it as other cells".to_owned(),
         ),
         (
             "{points}CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n13\n",
-            "12: cell 0 is of type 13, which is neither an edge, a polygon, a tetrahedron nor a hexahedron; \
+            "10: cell 0 of type 13 has 3 corners; remove it, or save it as other cells".to_owned(),
+        ),
+        (
+            "{points}CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n99\n",
+            "10: cell 0 is of type 99, which is neither an edge, a polygon nor a polyhedron; \
              remove it, or save it as other cells".to_owned(),
         ),
+        (
+            "{points}CELLS 2 5\n0\n3 0 1 2\nCELL_TYPES 2\n2 22\n",
+            "11: cell 1 is of type 22, which is not of first order; \
+             make the mesh of first order, with vertices at the corners of elements only, and save it again".to_owned(),
+        ),
+        (
+            "{points}CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n41\n",
+            "10: cell 0 is of type 41, a convex point set, which does not say what its faces are; \
+             save it as a polyhedron, of type 42".to_owned(),
+        ),
+        ("{points}POINTS 0 double\n", "9: there are two lists of points; keep one".to_owned()),
         (
             "{points}CELLS 2 3\nOFFSETS vtktypeint64\n0 4\n",
             format!("11: offset 1 is 4 after 0; {damaged}"),
@@ -254,6 +274,7 @@ fn vtk() {
         let contents = contents.replace("{head}", head).replace("{kind}", "UNSTRUCTURED_GRID");
         check("a.vtk", contents.as_bytes(), &expected);
     }
+    polyhedra(points, head);
     // one cell that is many edges, with very many values
     let corners: String = (0..20_000).map(|k| format!(" {}", k % 3)).collect();
     let values: String = (0..20_000).map(|_| "a 1 1 int\n1\n").collect();
@@ -269,4 +290,109 @@ fn vtk() {
         error.contains("the values `a` and those before take far more memory than the file"),
         "{error}"
     );
+}
+
+/// Polyhedra between three points: the numbers of one cell after another.
+fn polyhedra(points: &str, head: &str) {
+    let form = "a polyhedron is the number of its faces, then for each face the number of its corners and the corners";
+    let least = "a polyhedron has at least four faces, and a face at least three corners";
+    let large =
+        "face 0 of cell 1 is to have 4294967299 corners, but 3 numbers of the cell are left";
+    for (numbers, expected) in [
+        (
+            "",
+            format!("cell 1 is a polyhedron without a number of faces; {form}"),
+        ),
+        (
+            "0",
+            format!("cell 1 is a polyhedron that has 0 faces; {least}"),
+        ),
+        (
+            "3 3 0 1 2 3 0 1 2 3 0 1 2",
+            format!("cell 1 is a polyhedron that has 3 faces; {least}"),
+        ),
+        (
+            "4 3 0 1 2 3 0 1 2 3 0 1 2 2 0 1",
+            format!("cell 1 is a polyhedron that has a face 3 with 2 corners; {least}"),
+        ),
+        (
+            "5 3 0 1 2 3 0 1 2 3 0 1 2 3 0 1 2",
+            format!(
+                "cell 1 is to be a polyhedron with 5 faces, but its numbers are those of 4; {form}"
+            ),
+        ),
+        (
+            "-1 3 0 1 2",
+            format!(
+                "cell 1 is to be a polyhedron with -1 faces, but its numbers are those of 1; {form}"
+            ),
+        ),
+        (
+            "9223372036854775807 3 0 1 2",
+            format!(
+                "cell 1 is to be a polyhedron with 9223372036854775807 faces, but its numbers are those of 1; {form}"
+            ),
+        ),
+        (
+            "4 3 0 1 2 4 0 1 2",
+            format!(
+                "face 1 of cell 1 is to have 4 corners, but 3 numbers of the cell are left; {form}"
+            ),
+        ),
+        ("4 4294967299 0 1 2", format!("{large}; {form}")),
+        (
+            "4 -3 0 1 2",
+            format!(
+                "face 0 of cell 1 is to have -3 corners, but 3 numbers of the cell are left; {form}"
+            ),
+        ),
+        (
+            "4 3 0 1 3",
+            "cell 1 names vertex 3, but the file has 3 vertices; vertices are numbered from 0"
+                .to_owned(),
+        ),
+        (
+            "4 3 0 -1 2",
+            "cell 1 names vertex -1, but the file has 3 vertices; vertices are numbered from 0"
+                .to_owned(),
+        ),
+    ] {
+        let n = numbers.split_whitespace().count();
+        let points = points
+            .replace("{head}", head)
+            .replace("{kind}", "UNSTRUCTURED_GRID");
+        // the third cell has no numbers, but a place
+        let types = "CELL_TYPES 3\n1 42 2\n";
+        let text = format!("{points}CELLS 3 {}\n1 0\n{n} {numbers}\n0\n{types}", n + 4);
+        check("a.vtk", text.as_bytes(), &format!("11: {expected}"));
+        // in the form of version 5, where cells have no lines of their own
+        let end = n + 1;
+        let text = format!(
+            "{points}CELLS 4 {end}\nOFFSETS vtktypeint64\n0 1 {end} {end}\nCONNECTIVITY vtktypeint64\n0\n{numbers}\n{types}"
+        );
+        // a cell without numbers begins where the next one does, or where the list ends
+        let line = if n == 0 { 13 } else { 14 };
+        check("a.vtk", text.as_bytes(), &format!("{line}: {expected}"));
+        // in binary, at the byte where the number of numbers stands
+        let numbers: Vec<i64> = numbers
+            .split_whitespace()
+            .map(|x| x.parse().unwrap())
+            .collect();
+        if numbers.iter().any(|&x| i32::try_from(x).is_err()) {
+            continue;
+        }
+        let ints = |all: &[i32]| -> Vec<u8> { all.iter().flat_map(|x| x.to_be_bytes()).collect() };
+        let mut bytes =
+            b"# vtk DataFile Version 3.0\n\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n"
+                .to_vec();
+        bytes.extend([0; 72]);
+        bytes.extend(format!("\nCELLS 3 {}\n", n + 4).as_bytes());
+        let place = bytes.len() + 8;
+        bytes.extend(ints(&[1, 0, n as i32]));
+        bytes.extend(ints(&numbers.iter().map(|&x| x as i32).collect::<Vec<_>>()));
+        bytes.extend(ints(&[0]));
+        bytes.extend(b"\nCELL_TYPES 3\n");
+        bytes.extend(ints(&[1, 42, 2]));
+        check("a.vtk", &bytes, &format!("byte {place}: {expected}"));
+    }
 }

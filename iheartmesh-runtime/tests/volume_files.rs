@@ -25,6 +25,8 @@ fn example() -> MeshFile {
     file.polygons.push(&[5, 1, 2, 8]);
     file.tetrahedra.push([0, 3, 2, 1]);
     file.hexahedra.push([0, 1, 2, 3, 4, 5, 6, 7]);
+    file.polyhedra.push_prism([0, 1, 2, 3, 4, 8]);
+    file.polyhedra.push_pyramid([0, 1, 2, 3, 4]);
     file
 }
 
@@ -131,6 +133,22 @@ fn malformed_medit_files() {
             "{head}Polygons 1\n1 2 1 0",
             "7: there is no list `Polygons`; remove it, or check the number of entries before",
         ),
+        (
+            "{head}Prisms 1\n1 1 1 1 1 0 1",
+            "8: an entry of Prisms names vertex 0, but the file has 2 vertices; vertices are numbered from 1",
+        ),
+        (
+            "{head}Pyramids 1\n1 1 1 1 1",
+            "8: the file ends before a reference; it may be truncated",
+        ),
+        (
+            "{head}Pyramids 1000000\n1 1 1 1 1",
+            "7: the number of Pyramids is 1000000, more than the file can hold; it may be truncated",
+        ),
+        (
+            "{head}TetrahedraP2 1\n",
+            "7: `TetrahedraP2` are not of first order; make the mesh of first order, with vertices at the corners of elements only, and save it again",
+        ),
     ] {
         let text = text.replace("{head}", head);
         let error = io::from_bytes("a.mesh", text.as_bytes()).unwrap_err();
@@ -172,9 +190,9 @@ fn what_a_format_cannot_hold_is_not_written() {
     file.attributes = Attributes::new().cell_scalar("volume", [1.0]);
     assert_eq!(
         message("a.vtk", &file),
-        "a.vtk: the attribute `volume` has 1 values for 2 cells; give one for each"
+        "a.vtk: the attribute `volume` has 1 values for 4 cells; give one for each"
     );
-    file.attributes = Attributes::new().cell_scalar("my volume", [1.0, 2.0]);
+    file.attributes = Attributes::new().cell_scalar("my volume", [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(
         message("a.vtk", &file),
         "a.vtk: `my volume` cannot be the name of values in a VTK file; use a name without blanks"
@@ -192,7 +210,7 @@ fn what_a_format_cannot_hold_is_not_written() {
     file.tetrahedra.push([0, 1, 2, 9]);
     assert_eq!(
         message("a.vtk", &file),
-        "a.vtk: edge or cell 2 names vertex 9, but there are 9 positions; vertices are numbered from 0"
+        "a.vtk: cell 1 names vertex 9, but there are 9 positions; vertices are numbered from 0"
     );
 }
 

@@ -1,13 +1,18 @@
-//! MEDIT (`.mesh`, text): positions, edges, triangles, quadrilaterals, tetrahedra and hexahedra.
+//! MEDIT (`.mesh`, text): positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra, prisms and pyramids.
 //!
 //! `MeshVersionFormatted` and `Dimension 3`, then lists: a keyword, the number of entries, and for each the numbers of its
 //! vertices (from 1) and a reference, which is not kept. Line breaks mean nothing; comments begin with `#`; the list ends
 //! at `End` or with the file. Lists of what is special about elements (`Corners`, `Ridges`, …) are skipped.
+//!
+//! A prism begins with its bottom, counter-clockwise seen from its top, a pyramid with its base, counter-clockwise seen from its
+//! apex. Each kind has one list, so that triangles are written before quadrilaterals and prisms before pyramids.
 
 use std::fmt::Write;
 
+use super::FIRST_ORDER;
 use super::error::{CannotWrite, Malformed, counted};
 use super::mesh_file::MeshFile;
+use super::polyhedra::{self, Simple};
 use super::stream::{Scalar, Stream};
 use super::text::shorten;
 use crate::element::ElementKind;
@@ -94,6 +99,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
             "Hexahedra" => file
                 .hexahedra
                 .extend(elements::<8>(&mut words, &keyword, n)?),
+            "Prisms" => elements::<6>(&mut words, &keyword, n)?
+                .into_iter()
+                .for_each(|cell| file.polyhedra.push_prism(cell)),
+            "Pyramids" => elements::<5>(&mut words, &keyword, n)?
+                .into_iter()
+                .for_each(|cell| file.polyhedra.push_pyramid(cell)),
             "Corners"
             | "RequiredVertices"
             | "Ridges"
@@ -103,6 +114,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
             "Normals" | "Tangents" => skip(&mut words, &keyword, 3)?,
             "NormalAtVertices" | "TangentAtVertices" => skip(&mut words, &keyword, 2)?,
             "End" => return Ok(file),
+            _ if is_of_higher_order(&keyword) => {
+                let problem = format!("`{}` are not of first order", shorten(&keyword));
+                return Err(words.error(problem, FIRST_ORDER));
+            }
             _ => {
                 let problem = format!("there is no list `{}`", shorten(&keyword));
                 return Err(
@@ -114,6 +129,23 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
     Ok(file)
 }
 
+/// Whether a list is one of elements with more vertices than corners, such as `TetrahedraP2` and `HexahedraQ3`.
+fn is_of_higher_order(keyword: &str) -> bool {
+    let kinds = [
+        "Edges",
+        "Triangles",
+        "Quadrilaterals",
+        "Tetrahedra",
+        "Hexahedra",
+        "Prisms",
+        "Pyramids",
+    ];
+    kinds.iter().any(|kind| {
+        let order = keyword.strip_prefix(kind).map(str::as_bytes);
+        matches!(order, Some([b'P' | b'Q', b'2'..=b'9']))
+    })
+}
+
 fn skip(words: &mut Stream, list: &str, length: usize) -> Result<(), Malformed> {
     let count = count(words, list, length)?;
     for _ in 0..count * length {
@@ -122,7 +154,7 @@ fn skip(words: &mut Stream, list: &str, length: usize) -> Result<(), Malformed> 
     Ok(())
 }
 
-/// The lists of edges, polygons, tetrahedra and hexahedra of `file`.
+/// The lists of edges, polygons and cells of `file`.
 pub(super) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     if let Some(attribute) = file.attributes.iter().next() {
         let problem = format!(
@@ -183,6 +215,15 @@ pub(super) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
         "Hexahedra",
         &mut file.hexahedra.iter().map(|cell| &cell[..]),
     );
+    let (mut prisms, mut pyramids) = (Vec::new(), Vec::new());
+    for polyhedron in polyhedra::simple(&file.polyhedra, "MEDIT")? {
+        match polyhedron {
+            Simple::Prism(corners) => prisms.push(corners),
+            Simple::Pyramid(corners) => pyramids.push(corners),
+        }
+    }
+    list("Prisms", &mut prisms.iter().map(|cell| &cell[..]));
+    list("Pyramids", &mut pyramids.iter().map(|cell| &cell[..]));
     text.push_str("End\n");
     Ok(text.into_bytes())
 }

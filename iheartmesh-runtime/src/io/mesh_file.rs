@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::attributes::Attributes;
-use crate::element::Face;
+use super::polyhedra::{self, Polyhedra};
+use crate::element::{Cell, Face};
 use crate::mesh::{CellMesh, EdgeMesh, FaceMesh, MeshError};
 
 /// The contents of a mesh file, as they stand there: nothing is renumbered, merged, dropped or repaired.
@@ -22,7 +23,11 @@ pub struct MeshFile {
     pub tetrahedra: Vec<[u32; 4]>,
     /// Hexahedra by their vertices, in the order that [`CellMesh::from_hexahedra`] takes.
     pub hexahedra: Vec<[u32; 8]>,
-    /// Named values on vertices, edges, faces and cells: first those of the tetrahedra, then those of the hexahedra.
+    /// All other cells: prisms, pyramids and polyhedra of any form, in the order of the file. Every corner is below the
+    /// number of positions; each has at least four faces, and each face at least three corners.
+    pub polyhedra: Polyhedra,
+    /// Named values on vertices, edges, faces and cells. The cells are the tetrahedra, then the hexahedra, then the
+    /// polyhedra, whatever order they have in the file: values are read into this order.
     pub attributes: Attributes,
 }
 
@@ -32,6 +37,64 @@ impl MeshFile {
         MeshFile {
             positions: positions.into(),
             ..MeshFile::default()
+        }
+    }
+
+    /// A file with these positions and the cells of a mesh, to be written. Cell k of the mesh is cell k of the file.
+    ///
+    /// Tetrahedra, and the hexahedra after them, go into the lists of these kinds; all cells after the first of another
+    /// kind are polyhedra.
+    ///
+    /// ```no_run
+    /// # use iheartmesh_runtime::CellMesh;
+    /// # use iheartmesh_runtime::glam::DVec3;
+    /// # use iheartmesh_runtime::io::{self, MeshFile};
+    /// let pyramid: [&[u32]; 5] = [&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]];
+    /// let mesh = CellMesh::from_polyhedra(5, [pyramid])?;
+    /// let positions = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y, DVec3::Z];
+    /// io::write_file("pyramid.msh", &MeshFile::of_cells(positions, &mesh))?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_cells(positions: impl Into<Vec<DVec3>>, mesh: &CellMesh) -> MeshFile {
+        let mut file = MeshFile::of_positions(positions);
+        if let Some(tetrahedra) = mesh.tetrahedra() {
+            file.tetrahedra = tetrahedra.to_vec();
+            return file;
+        }
+        mesh.cells().for_each(|cell| file.push_cell(mesh, cell));
+        file
+    }
+
+    fn push_cell(&mut self, mesh: &CellMesh, cell: Cell) {
+        let mut sides = Polygons::new();
+        let (faces, signs) = mesh.cell_boundary(cell);
+        for (face, sign) in faces.iter().zip(signs) {
+            let corners = mesh.face_vertices(face).ids();
+            match sign {
+                1 => sides.push(corners),
+                _ => sides.push_all(polyhedra::backwards(corners)),
+            }
+        }
+        let corners = mesh.cell_vertices(cell).ids();
+        let is_given = |corners: &&[u32]| {
+            corners.len() == 8
+                && polyhedra::are_faces_of(corners, Polyhedra::push_any_prism, sides.iter())
+        };
+        let pyramid = polyhedra::pyramid(sides.iter());
+        let prism = match Some(corners).filter(is_given) {
+            Some(corners) => Some(corners.to_vec()),
+            None => polyhedra::prism(sides.iter()),
+        };
+        let takes_hexahedra = self.polyhedra.is_empty();
+        let takes_tetrahedra = takes_hexahedra && self.hexahedra.is_empty();
+        match (pyramid.as_deref(), prism.as_deref()) {
+            (Some(&[a, b, c, d]), _) if takes_tetrahedra => self.tetrahedra.push([a, b, c, d]),
+            (_, Some(&[a, b, c, d, e, f, g, h])) if takes_hexahedra => {
+                self.hexahedra.push([a, b, c, d, e, f, g, h]);
+            }
+            (Some(corners), _) => self.polyhedra.push_any_pyramid(corners),
+            (_, Some(corners)) => self.polyhedra.push_any_prism(corners),
+            _ => self.polyhedra.push(&sides),
         }
     }
 
@@ -74,6 +137,7 @@ impl MeshFile {
         self.polygons.corners.iter_mut().for_each(rename);
         self.tetrahedra.iter_mut().flatten().for_each(rename);
         self.hexahedra.iter_mut().flatten().for_each(rename);
+        self.polyhedra.corners_mut().iter_mut().for_each(rename);
         self.positions = kept.iter().map(|&vertex| self.positions[vertex]).collect();
         self.attributes.keep_vertices(&kept);
     }
@@ -86,16 +150,34 @@ impl MeshFile {
         EdgeMesh::from_edges(self.positions.len(), &self.edges)
     }
 
-    /// The mesh of all tetrahedra, then all hexahedra.
+    /// Number of tetrahedra, hexahedra and polyhedra.
+    pub fn n_cells(&self) -> usize {
+        self.tetrahedra.len() + self.hexahedra.len() + self.polyhedra.len()
+    }
+
+    /// The mesh of all tetrahedra, then all hexahedra, then all polyhedra, numbered as the values of
+    /// [`attributes`](Self::attributes) are.
     ///
     /// # Errors
-    /// Those of [`CellMesh::from_tetrahedra`] and [`CellMesh::from_polyhedra`].
+    /// Those of [`CellMesh::from_tetrahedra`], and, if there are polyhedra, of [`CellMesh::from_polyhedra`]: a file may hold
+    /// degenerate cells, a mesh may not.
     pub fn cell_mesh(&self) -> Result<CellMesh, MeshError> {
         let n = self.positions.len();
-        match (self.tetrahedra.is_empty(), self.hexahedra.is_empty()) {
-            (_, true) => CellMesh::from_tetrahedra(n, &self.tetrahedra),
-            (true, false) => CellMesh::from_hexahedra(n, &self.hexahedra),
-            (false, false) => CellMesh::from_mixed(n, &self.tetrahedra, &self.hexahedra),
+        let kinds = (
+            self.tetrahedra.is_empty(),
+            self.hexahedra.is_empty(),
+            self.polyhedra.is_empty(),
+        );
+        match kinds {
+            (_, true, true) => CellMesh::from_tetrahedra(n, &self.tetrahedra),
+            (true, false, true) => CellMesh::from_hexahedra(n, &self.hexahedra),
+            _ => {
+                let polyhedra = self
+                    .polyhedra
+                    .iter()
+                    .map(|faces| faces.map(<[u32]>::to_vec).collect());
+                CellMesh::from_all(n, &self.tetrahedra, &self.hexahedra, polyhedra)
+            }
         }
     }
 
@@ -125,7 +207,7 @@ impl MeshFile {
 pub struct Polygons {
     /// For each polygon, where its corners end.
     ends: Vec<usize>,
-    corners: Vec<u32>,
+    pub(super) corners: Vec<u32>,
 }
 
 impl Polygons {
@@ -137,6 +219,12 @@ impl Polygons {
     /// Adds a polygon at the end.
     pub fn push(&mut self, corners: &[u32]) {
         self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len());
+    }
+
+    /// As [`push`](Self::push), of corners that stand in no slice.
+    pub(super) fn push_all(&mut self, corners: impl Iterator<Item = u32>) {
+        self.corners.extend(corners);
         self.ends.push(self.corners.len());
     }
 
@@ -159,9 +247,14 @@ impl Polygons {
 
     /// The polygons in order, each as the slice of its corners.
     pub fn iter(&self) -> PolygonsIter<'_> {
+        self.range(0..self.len())
+    }
+
+    /// The polygons with these numbers, which all exist.
+    pub(super) fn range(&self, range: std::ops::Range<usize>) -> PolygonsIter<'_> {
         PolygonsIter {
             polygons: self,
-            range: 0..self.len(),
+            range,
         }
     }
 
@@ -186,7 +279,7 @@ impl Polygons {
     }
 }
 
-/// Iterator over [`Polygons`].
+/// Iterator over [`Polygons`], or over the faces of one of [`Polyhedra`].
 #[derive(Clone, Debug)]
 pub struct PolygonsIter<'a> {
     polygons: &'a Polygons,

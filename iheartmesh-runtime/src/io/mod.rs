@@ -16,16 +16,17 @@
 //! | OBJ | positions, polygons, vertex colours | the same |
 //! | OFF | positions, polygons, vertex and face colours, vertex normals | the same |
 //! | PLY | text and binary: positions, polygons, all values on vertices and faces | the same, binary |
-//! | MEDIT (`.mesh`) | text: positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra | the same, no values |
+//! | MEDIT (`.mesh`) | text: positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra, prisms, pyramids | the same, no values |
 //! | Gmsh (`.msh`) | 2.2 and 4.1, text and binary: the same, and all values | 2.2, text; no colours |
-//! | VTK (`.vtk`, legacy) | text and binary: positions, edges, polygons, tetrahedra, hexahedra, all values | the same, text |
+//! | VTK (`.vtk`, legacy) | text and binary: positions, edges, polygons, tetrahedra, hexahedra, all other polyhedra, all values | the same, text |
 //! | STL | text and binary: triangles, with normals; equal corners become one vertex | the same, binary, `f32` |
 //! | glTF (`.gltf`, `.glb`), with the feature `gltf` | positions, triangles, edges, values on vertices | the same, `f32` |
 //!
-//! No format is read or written with prisms, pyramids or other polyhedra: a file that has some is refused. Such meshes come from
-//! [`CellMesh::from_polyhedra`](crate::CellMesh::from_polyhedra).
+//! Prisms and pyramids are [`Polyhedra`] that know what they are. The cells of a file are its tetrahedra, then its hexahedra,
+//! then its polyhedra, each in the order of the file; [`MeshFile::cell_mesh`] numbers them so, and values are put into this
+//! order. Elements of second or higher order, with vertices between their corners, are refused.
 //!
-//! Vertices and faces keep their order, vertices that no face names are kept, polygons are not split, and positions are
+//! Vertices and faces keep their order (in MEDIT triangles are written before quadrilaterals and prisms before pyramids), vertices that no face names are kept, polygons are not split, and positions are
 //! read as `f64`. What a format cannot hold is an error, not left out. A file that is not what its format demands is an
 //! [`IoError`] with the place; memory stays within a small multiple of the size of the file.
 
@@ -39,6 +40,7 @@ mod msh;
 mod obj;
 mod off;
 mod ply;
+mod polyhedra;
 mod stl;
 mod stream;
 mod text;
@@ -51,9 +53,13 @@ use glam::DVec3;
 pub use attributes::{Attribute, AttributeValues, Attributes};
 pub use error::{IoError, Place};
 pub use mesh_file::{FaceList, MeshFile, Polygons, PolygonsIter};
+pub use polyhedra::{Polyhedra, PolyhedraIter};
 
 use crate::element::ElementKind;
 use error::{CannotWrite, counted};
+
+/// What to do about elements with more vertices than corners.
+const FIRST_ORDER: &str = "make the mesh of first order, with vertices at the corners of elements only, and save it again";
 
 #[derive(Clone, Copy)]
 enum Format {
@@ -245,7 +251,6 @@ pub fn file_to_bytes(path: impl AsRef<Path>, file: &MeshFile) -> Result<Vec<u8>,
         attributes,
         ..
     } = file;
-    let n_cells = file.tetrahedra.len() + file.hexahedra.len();
     check_file(file)
         .and_then(|()| match format {
             Format::Medit => medit::write(file),
@@ -255,7 +260,7 @@ pub fn file_to_bytes(path: impl AsRef<Path>, file: &MeshFile) -> Result<Vec<u8>,
             #[cfg(feature = "gltf")]
             Format::Glb => gltf::write(file, true),
             Format::Vtk => vtk::write(file),
-            _ if n_cells + file.edges.len() > 0 => Err(CannotWrite {
+            _ if file.n_cells() + file.edges.len() > 0 => Err(CannotWrite {
                 problem: "this format holds neither edges nor cells".to_owned(),
                 help: "write a .mesh, .msh or .vtk file",
             }),
@@ -280,25 +285,37 @@ fn collected(
 
 fn check_file(file: &MeshFile) -> Result<(), CannotWrite> {
     let n = file.positions.len();
-    let edges = file.edges.iter().map(|element| &element[..]);
-    let tetrahedra = file.tetrahedra.iter().map(|element| &element[..]);
-    let hexahedra = file.hexahedra.iter().map(|element| &element[..]);
-    for (index, element) in edges.chain(tetrahedra).chain(hexahedra).enumerate() {
-        if let Some(vertex) = element.iter().find(|&&vertex| vertex as usize >= n) {
+    let n_first = file.tetrahedra.len() + file.hexahedra.len();
+    let edges = file.edges.iter().map(|edge| (ElementKind::Edge, &edge[..]));
+    let tetrahedra = file.tetrahedra.iter().map(|cell| &cell[..]);
+    let hexahedra = file.hexahedra.iter().map(|cell| &cell[..]);
+    let cells = tetrahedra.chain(hexahedra);
+    let sides = file.polyhedra.iter().enumerate();
+    let sides = sides.flat_map(|(index, faces)| faces.map(move |face| (n_first + index, face)));
+    let all = (0..)
+        .zip(edges)
+        .map(|(index, (kind, edge))| (kind, index, edge));
+    let cells = cells.enumerate().chain(sides);
+    let all = all.chain(cells.map(|(index, cell)| (ElementKind::Cell, index, cell)));
+    for (kind, index, corners) in all {
+        if let Some(vertex) = corners.iter().find(|&&vertex| vertex as usize >= n) {
             let problem =
-                format!("edge or cell {index} names vertex {vertex}, but there are {n} positions");
+                format!("{kind} {index} names vertex {vertex}, but there are {n} positions");
             return Err(CannotWrite {
                 problem,
                 help: "vertices are numbered from 0",
             });
         }
     }
-    let counts = [
-        n,
-        file.edges.len(),
-        file.polygons.len(),
-        file.tetrahedra.len() + file.hexahedra.len(),
-    ];
+    for (index, faces) in file.polyhedra.iter().enumerate() {
+        if let Some(problem) = polyhedra::problem(faces) {
+            return Err(CannotWrite {
+                problem: format!("polyhedron {index} {problem}"),
+                help: polyhedra::LEAST,
+            });
+        }
+    }
+    let counts = [n, file.edges.len(), file.polygons.len(), file.n_cells()];
     check_with(&file.positions, &file.polygons, &file.attributes, counts)
 }
 

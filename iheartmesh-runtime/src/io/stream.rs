@@ -81,6 +81,31 @@ impl<'a> Stream<'a> {
         }
     }
 
+    /// The line, or the byte in a file with binary parts, where the last word or number began.
+    pub(super) fn place(&self) -> usize {
+        match self.place {
+            Place::Line(number) | Place::Byte(number) | Place::Entry(_, number) => number,
+        }
+    }
+
+    /// An error at a [`place`](Self::place).
+    pub(super) fn error_at(
+        &self,
+        place: usize,
+        problem: impl Into<String>,
+        help: &'static str,
+    ) -> Malformed {
+        let place = match self.is_binary {
+            true => Place::Byte(place),
+            false => Place::Line(place),
+        };
+        Malformed {
+            place,
+            problem: problem.into(),
+            help,
+        }
+    }
+
     fn truncated(&self, what: &str) -> Malformed {
         self.error(
             format!("the file ends before {what}"),

@@ -92,6 +92,16 @@ impl CellMesh {
         tetrahedra: &[[u32; 4]],
         hexahedra: &[[u32; 8]],
     ) -> Result<CellMesh, MeshError> {
+        Self::from_all(n_vertices, tetrahedra, hexahedra, std::iter::empty())
+    }
+
+    /// The mesh of tetrahedra, then hexahedra, then polyhedra, as their constructors take them.
+    pub(crate) fn from_all(
+        n_vertices: usize,
+        tetrahedra: &[[u32; 4]],
+        hexahedra: &[[u32; 8]],
+        polyhedra: impl Iterator<Item = Vec<Vec<u32>>>,
+    ) -> Result<CellMesh, MeshError> {
         let n_cells = tetrahedra.len() + hexahedra.len();
         let n_corners = 12 * tetrahedra.len() + 24 * hexahedra.len();
         check_sizes(n_vertices, n_cells, n_corners)?;
@@ -107,7 +117,8 @@ impl CellMesh {
         };
         let tetrahedra = tetrahedra.iter().map(|cell| sides(cell, &TETRAHEDRON));
         let hexahedra = hexahedra.iter().map(|cell| sides(cell, &HEXAHEDRON));
-        Self::from_polyhedra(n_vertices, tetrahedra.chain(hexahedra))
+        let cells = tetrahedra.chain(hexahedra).chain(polyhedra);
+        Self::from_polyhedra(n_vertices, cells)
     }
 
     /// The mesh with these boundary matrices, in either storage order of `sprs`: `d1` is ∂¹ (vertices × edges), `d2` is

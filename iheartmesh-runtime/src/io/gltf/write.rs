@@ -113,7 +113,7 @@ fn is_single(value: f64) -> bool {
 }
 
 pub(crate) fn write(file: &MeshFile, is_binary: bool) -> Result<Vec<u8>, CannotWrite> {
-    if !file.tetrahedra.is_empty() || !file.hexahedra.is_empty() {
+    if file.n_cells() > 0 {
         return cannot(
             "a glTF file cannot hold cells".to_owned(),
             "write a .mesh, .msh or .vtk file",

@@ -1,4 +1,5 @@
-//! Gmsh (`.msh`): positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra, and values on all of them.
+//! Gmsh (`.msh`): positions, edges, triangles, quadrilaterals, tetrahedra, hexahedra, prisms, pyramids, and values on all of
+//! them.
 //!
 //! Versions 2.2 and 4.1 are read, text and binary of either byte order; 2.2 is written, as text, since most programs read it.
 //! Read here and not by a library: the one that there is (`mshio`) knows version 4.1 only, rests on parsers of
@@ -21,4 +22,6 @@ const TRIANGLE: i64 = 2;
 const QUADRILATERAL: i64 = 3;
 const TETRAHEDRON: i64 = 4;
 const HEXAHEDRON: i64 = 5;
+const PRISM: i64 = 6;
+const PYRAMID: i64 = 7;
 const POINT: i64 = 15;

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::views::View;
-use super::{HEXAHEDRON, LINE, POINT, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
-use crate::element::ElementKind;
+use super::{HEXAHEDRON, LINE, POINT, PRISM, PYRAMID, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
+use crate::io::FIRST_ORDER;
 use crate::io::error::Malformed;
 use crate::io::mesh_file::MeshFile;
 use crate::io::stream::{Encoding, Scalar, Stream};
@@ -48,8 +48,18 @@ impl<T: Copy> Tags<T> {
     }
 }
 
-/// Where an element went: its kind and number there.
-pub(super) type Target = (ElementKind, u32);
+/// The list of the mesh file that an element went to.
+#[derive(Clone, Copy)]
+pub(super) enum List {
+    Edges,
+    Polygons,
+    Tetrahedra,
+    Hexahedra,
+    Polyhedra,
+}
+
+/// Where an element went: the list and its number there.
+pub(super) type Target = (List, u32);
 
 pub(super) struct Reader<'a> {
     pub(super) stream: Stream<'a>,
@@ -336,7 +346,7 @@ impl Reader<'_> {
     }
 
     fn element(&mut self, kind: i64, tag: i64) -> Result<(), Malformed> {
-        let target = match kind {
+        let (list, length) = match kind {
             POINT => {
                 self.corners::<1>()?;
                 return Ok(());
@@ -344,39 +354,47 @@ impl Reader<'_> {
             LINE => {
                 let corners = self.corners()?;
                 self.file.edges.push(corners);
-                (ElementKind::Edge, self.file.edges.len())
+                (List::Edges, self.file.edges.len())
             }
             TRIANGLE => {
                 let corners = self.corners::<3>()?;
                 self.file.polygons.push(&corners);
-                (ElementKind::Face, self.file.polygons.len())
+                (List::Polygons, self.file.polygons.len())
             }
             QUADRILATERAL => {
                 let corners = self.corners::<4>()?;
                 self.file.polygons.push(&corners);
-                (ElementKind::Face, self.file.polygons.len())
+                (List::Polygons, self.file.polygons.len())
             }
             TETRAHEDRON => {
                 let corners = self.corners()?;
                 self.file.tetrahedra.push(corners);
-                (ElementKind::Cell, self.file.tetrahedra.len())
+                (List::Tetrahedra, self.file.tetrahedra.len())
             }
             HEXAHEDRON => {
                 let corners = self.corners()?;
                 self.file.hexahedra.push(corners);
-                // numbered after all tetrahedra, as soon as it is known how many there are
-                (ElementKind::Vertex, self.file.hexahedra.len())
+                (List::Hexahedra, self.file.hexahedra.len())
+            }
+            PRISM => {
+                let corners = self.corners()?;
+                self.file.polyhedra.push_prism(corners);
+                (List::Polyhedra, self.file.polyhedra.len())
+            }
+            PYRAMID => {
+                let corners = self.corners()?;
+                self.file.polyhedra.push_pyramid(corners);
+                (List::Polyhedra, self.file.polyhedra.len())
             }
             _ => {
                 let problem = format!(
-                    "elements of type {kind} are neither edges, triangles, quadrilaterals, tetrahedra nor hexahedra of first order"
+                    "elements of type {kind} are neither edges, triangles, quadrilaterals, tetrahedra, hexahedra, prisms \
+                     nor pyramids of first order"
                 );
-                return Err(self
-                    .stream
-                    .error(problem, "save the mesh with such elements"));
+                return Err(self.stream.error(problem, FIRST_ORDER));
             }
         };
-        let target = (target.0, (target.1 - 1) as u32);
+        let target = (list, (length - 1) as u32);
         if !self.elements.push(tag, target) {
             let problem = format!("there are two elements {tag}");
             return Err(self

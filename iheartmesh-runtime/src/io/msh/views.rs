@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::read::Reader;
+use super::read::{List, Reader, Target};
 use crate::element::ElementKind;
 use crate::io::attributes::AttributeValues;
 use crate::io::error::Malformed;
@@ -86,20 +86,24 @@ impl Reader<'_> {
 
     pub(super) fn finish(mut self) -> Result<MeshFile, Malformed> {
         let n_tetrahedra = self.file.tetrahedra.len() as u32;
-        let n_cells = self.file.tetrahedra.len() + self.file.hexahedra.len();
+        let n_first = n_tetrahedra + self.file.hexahedra.len() as u32;
+        let element = |(list, index): Target| match list {
+            List::Edges => (ElementKind::Edge, index),
+            List::Polygons => (ElementKind::Face, index),
+            List::Tetrahedra => (ElementKind::Cell, index),
+            List::Hexahedra => (ElementKind::Cell, n_tetrahedra + index),
+            List::Polyhedra => (ElementKind::Cell, n_first + index),
+        };
         for view in std::mem::take(&mut self.views) {
             let target = |&tag: &i64| match view.is_at_nodes {
                 true => self.nodes.get(tag).map(|node| (ElementKind::Vertex, node)),
-                false => self.elements.get(tag).map(|target| match target {
-                    (ElementKind::Vertex, index) => (ElementKind::Cell, n_tetrahedra + index),
-                    target => target,
-                }),
+                false => self.elements.get(tag).map(element),
             };
             for (kind, n_elements) in [
                 (ElementKind::Vertex, self.file.positions.len()),
                 (ElementKind::Edge, self.file.edges.len()),
                 (ElementKind::Face, self.file.polygons.len()),
-                (ElementKind::Cell, n_cells),
+                (ElementKind::Cell, self.file.n_cells()),
             ] {
                 let n = view.n_components;
                 let mut values = Vec::new();

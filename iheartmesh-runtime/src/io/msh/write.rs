@@ -2,11 +2,12 @@
 
 use std::fmt::Write;
 
-use super::{HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
+use super::{HEXAHEDRON, LINE, PRISM, PYRAMID, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
 use crate::element::ElementKind;
 use crate::io::attributes::AttributeValues;
 use crate::io::error::CannotWrite;
 use crate::io::mesh_file::MeshFile;
+use crate::io::polyhedra::{self, Simple};
 
 pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     if let Some(face) = file
@@ -27,8 +28,13 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     });
     let tetrahedra = file.tetrahedra.iter().map(|cell| (TETRAHEDRON, &cell[..]));
     let hexahedra = file.hexahedra.iter().map(|cell| (HEXAHEDRON, &cell[..]));
+    let simple = polyhedra::simple(&file.polyhedra, "Gmsh")?;
+    let simple = simple.iter().map(|polyhedron| match polyhedron {
+        Simple::Prism(corners) => (PRISM, &corners[..]),
+        Simple::Pyramid(corners) => (PYRAMID, &corners[..]),
+    });
     let [n_edges, n_faces] = [file.edges.len(), file.polygons.len()];
-    let n_elements = n_edges + n_faces + file.tetrahedra.len() + file.hexahedra.len();
+    let n_elements = n_edges + n_faces + file.n_cells();
 
     let mut text = String::from("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
     // Writing into a `String` cannot fail.
@@ -44,7 +50,8 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
         );
     }
     let _ = writeln!(text, "$EndNodes\n$Elements\n{n_elements}");
-    let elements = edges.chain(faces).chain(tetrahedra).chain(hexahedra);
+    let cells = tetrahedra.chain(hexahedra).chain(simple);
+    let elements = edges.chain(faces).chain(cells);
     for (index, (kind, corners)) in elements.enumerate() {
         // one physical and one elementary tag, as Gmsh expects them
         let _ = write!(text, "{} {kind} 2 0 1", index + 1);

@@ -1,17 +1,14 @@
 //! Reading VTK.
 
-use glam::DVec3;
-
-use super::cells::Sources;
+use super::cells::{Cells, Sources};
+use super::wedges;
 use super::{LINE, POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
-use crate::element::ElementKind;
-use crate::io::attributes::{AttributeValues, COLOR};
-use crate::io::error::{Malformed, counted};
+use crate::io::error::Malformed;
 use crate::io::mesh_file::MeshFile;
 use crate::io::stream::{Encoding, Scalar, Stream};
-use crate::io::text::{percent_decoded, shorten};
+use crate::io::text::shorten;
 
-const DAMAGED: &str = "the file is truncated or damaged";
+pub(super) const DAMAGED: &str = "the file is truncated or damaged";
 
 pub(crate) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
     let mut stream = Stream::new(bytes, None);
@@ -41,6 +38,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
         cells: Cells::default(),
         sources: Sources::default(),
         is_polygonal: false,
+        has_points: false,
         count: None,
     };
     while let Some(keyword) = reader.stream.next() {
@@ -50,24 +48,16 @@ pub(crate) fn read(bytes: &[u8]) -> Result<MeshFile, Malformed> {
     Ok(reader.file)
 }
 
-/// The cells as they stand in the file, until all is known of them.
-#[derive(Default)]
-struct Cells {
-    /// Where the corners of each cell end.
-    ends: Vec<usize>,
-    corners: Vec<i64>,
-    kinds: Vec<u8>,
-}
-
-struct Reader<'a> {
-    stream: Stream<'a>,
-    encoding: Encoding,
-    file: MeshFile,
+pub(super) struct Reader<'a> {
+    pub(super) stream: Stream<'a>,
+    pub(super) encoding: Encoding,
+    pub(super) file: MeshFile,
     cells: Cells,
-    sources: Sources,
+    pub(super) sources: Sources,
     is_polygonal: bool,
+    has_points: bool,
     /// The kind of element that values belong to, at vertices or not, and how many there are.
-    count: Option<(bool, usize)>,
+    pub(super) count: Option<(bool, usize)>,
 }
 
 impl Reader<'_> {
@@ -88,6 +78,10 @@ impl Reader<'_> {
                 };
             }
             "POINTS" => {
+                if std::mem::replace(&mut self.has_points, true) {
+                    let problem = "there are two lists of points";
+                    return Err(self.stream.error(problem, "keep one"));
+                }
                 let count = self.stream.integer("the number of points")?;
                 let scalar = self.scalar()?;
                 let count = self.begin("points", count, 3, scalar.size())?;
@@ -127,7 +121,7 @@ impl Reader<'_> {
     }
 
     /// The begin of an array whose entries take this many words, or numbers of so many bytes.
-    fn begin(
+    pub(super) fn begin(
         &mut self,
         list: &str,
         count: i64,
@@ -143,7 +137,7 @@ impl Reader<'_> {
             .check_count(list, count, words, words.saturating_mul(size))
     }
 
-    fn scalar(&mut self) -> Result<Scalar, Malformed> {
+    pub(super) fn scalar(&mut self) -> Result<Scalar, Malformed> {
         let name = self.stream.word("the type of the numbers")?;
         Ok(match &*name.to_ascii_lowercase() {
             "char" | "vtktypeint8" => Scalar::I8,
@@ -201,15 +195,28 @@ impl Reader<'_> {
                 return Err(self.stream.error(problem, DAMAGED));
             }
             let scalar = self.scalar()?;
-            for _ in 0..self.begin("corners", second, 1, scalar.size())? {
+            let n_corners = self.begin("corners", second, 1, scalar.size())?;
+            // the place of a cell is that of its first corner
+            let mut ends = self.cells.ends[n_before..].iter();
+            let mut next = start;
+            for _ in 0..n_corners {
                 let corner = self.stream.whole("a corner", scalar)?;
+                while next == self.cells.corners.len() {
+                    let Some(&end) = ends.next() else { break };
+                    self.cells.places.push(self.stream.place());
+                    next = end;
+                }
                 self.cells.corners.push(corner);
             }
+            // cells without corners, at the end
+            let n_cells = self.cells.ends.len();
+            self.cells.places.resize(n_cells, self.stream.place());
         } else {
             let length = self.begin("entries", second, 1, 4)?;
             let mut left = length;
             for _ in 0..usize::try_from(first).unwrap_or(0) {
                 let n_corners = self.stream.whole("the number of corners", Scalar::I32)?;
+                self.cells.places.push(self.stream.place());
                 let fits = usize::try_from(n_corners)
                     .ok()
                     .and_then(|n| left.checked_sub(n + 1));
@@ -236,16 +243,6 @@ impl Reader<'_> {
             let n_cells = self.cells.ends.len() - n_before;
             self.cells.kinds.extend(std::iter::repeat_n(kind, n_cells));
         }
-        // corners may stand before the points: they are compared when all is known, but most files are in order
-        let n_points = self.file.positions.len();
-        let new = &self.cells.corners[start..];
-        if let Some(corner) = new.iter().find(|&&corner| !is_below(corner, n_points)) {
-            let problem = format!(
-                "a cell names vertex {corner}, but the file has {}",
-                counted(n_points, ElementKind::Vertex)
-            );
-            return Err(self.stream.error(problem, "vertices are numbered from 0"));
-        }
         Ok(())
     }
 
@@ -260,205 +257,17 @@ impl Reader<'_> {
             );
             return Err(self.stream.error(problem, DAMAGED));
         }
-        let mut start = 0;
-        for (&end, kind) in cells.ends.iter().zip(cells.kinds) {
-            let corners: Vec<u32> = cells.corners[start..end]
-                .iter()
-                .map(|&corner| corner as u32)
-                .collect();
-            let kind = match (self.is_polygonal, kind, corners.len()) {
+        let are_reversed = wedges::are_reversed(cells.wedges(), &self.file.positions);
+        for (place, kind, numbers) in cells.iter() {
+            let kind = match (self.is_polygonal, kind, numbers.len()) {
                 (true, POLY_LINE, 2) => LINE,
                 _ => kind,
             };
-            self.sources
-                .push(kind, &corners, &mut self.file)
-                .map_err(|problem| {
-                    self.stream
-                        .error(problem, "remove it, or save it as other cells")
-                })?;
-            start = end;
+            let pushed = self
+                .sources
+                .push(kind, numbers, are_reversed, &mut self.file);
+            pushed.map_err(|(problem, help)| self.stream.error_at(place, problem, help))?;
         }
         Ok(())
     }
-
-    fn values_of(
-        &mut self,
-        is_at_vertices: bool,
-        n_elements: usize,
-        elements: &str,
-    ) -> Result<(), Malformed> {
-        let count = self.stream.integer("the number of values")?;
-        if usize::try_from(count) != Ok(n_elements) {
-            let problem =
-                format!("there are values of {count} {elements}, but {n_elements} {elements}");
-            return Err(self.stream.error(problem, DAMAGED));
-        }
-        self.count = Some((is_at_vertices, n_elements));
-        Ok(())
-    }
-
-    /// An array of values, begun with this word.
-    fn attribute(&mut self, keyword: &str) -> Result<(), Malformed> {
-        let known = "SCALARS COLOR_SCALARS VECTORS NORMALS TENSORS TENSORS6 TEXTURE_COORDINATES GLOBAL_IDS PEDIGREE_IDS LOOKUP_TABLE";
-        if !known.split(' ').any(|word| word == keyword) {
-            let problem = format!("unknown section `{}`", shorten(keyword));
-            return Err(self
-                .stream
-                .error(problem, "remove it, or check the number of entries before"));
-        }
-        let name = percent_decoded(&self.stream.word("the name of the values")?);
-        if keyword == "LOOKUP_TABLE" {
-            // colours with opacity
-            let count = self.stream.integer("the number of colours")?;
-            let count = self.begin("colours", count, 4, 1)?;
-            for _ in 0..4 * count {
-                self.stream.value("a part of a colour", Scalar::U8)?;
-            }
-            return Ok(());
-        }
-        let Some((_, count)) = self.count else {
-            let problem = format!("the values `{}` belong to nothing", shorten(&name));
-            return Err(self
-                .stream
-                .error(problem, "`POINT_DATA` or `CELL_DATA` stands before values"));
-        };
-        let mut n_components = match keyword {
-            "VECTORS" | "NORMALS" => 3,
-            "TENSORS" => 9,
-            "TENSORS6" => 6,
-            "COLOR_SCALARS" | "TEXTURE_COORDINATES" => {
-                self.stream.integer("the number of components")?
-            }
-            _ => 1,
-        };
-        if keyword == "COLOR_SCALARS" {
-            let values = self.numbers(count, n_components, Scalar::U8)?;
-            // a colour has three parts, and perhaps an opacity
-            let is_color = n_components >= 3;
-            let factor = match self.encoding {
-                Encoding::Text if is_color => 255.0,
-                _ => 1.0,
-            };
-            let values: Vec<f64> = values.iter().map(|value| value * factor).collect();
-            self.keep(&name, &values, n_components as usize, is_color)?;
-            return Ok(());
-        }
-        let scalar = self.scalar()?;
-        if keyword == "SCALARS" {
-            let rest = self.stream.rest_of_line();
-            n_components = match rest.is_empty() {
-                true => 1,
-                false => rest.parse().unwrap_or(0),
-            };
-            let word = self.stream.word("`LOOKUP_TABLE`")?;
-            if word != "LOOKUP_TABLE" {
-                let problem = format!("`{}` stands where `LOOKUP_TABLE` must", shorten(&word));
-                return Err(self.stream.error(problem, DAMAGED));
-            }
-            self.stream.word("the name of the lookup table")?;
-        }
-        let values = self.numbers(count, n_components, scalar)?;
-        let is_color = scalar == Scalar::U8 && matches!(n_components, 3 | 4);
-        self.keep(&name, &values, n_components as usize, is_color)?;
-        Ok(())
-    }
-    /// So many numbers for each of `count` elements.
-    fn numbers(
-        &mut self,
-        count: usize,
-        n_components: i64,
-        scalar: Scalar,
-    ) -> Result<Vec<f64>, Malformed> {
-        if n_components < 1 {
-            let problem = format!("the values have {n_components} components");
-            return Err(self.stream.error(problem, DAMAGED));
-        }
-        let count = n_components.saturating_mul(i64::try_from(count).unwrap_or(i64::MAX));
-        let count = self.begin("values", count, 1, scalar.size())?;
-        let values = (0..count).map(|_| self.stream.value("a value", scalar));
-        let values = values.collect();
-        self.stream.encoding = Encoding::Text;
-        values
-    }
-
-    /// Arrays of any sizes; those that have a value for each element are its values.
-    fn field(&mut self) -> Result<(), Malformed> {
-        self.stream.word("the name of the field")?;
-        let n_arrays = self.stream.integer("the number of arrays")?;
-        for _ in 0..n_arrays {
-            if self.stream.peek().as_deref() == Some("METADATA") {
-                self.stream.next();
-                self.metadata();
-            }
-            let name = percent_decoded(&self.stream.word("the name of an array")?);
-            let n_components = self.stream.integer("the number of components")?;
-            let n_values = self.stream.integer("the number of values")?;
-            let scalar = self.scalar()?;
-            let Ok(count) = usize::try_from(n_values) else {
-                let problem = format!("the number of values is {n_values}");
-                return Err(self.stream.error(problem, "it cannot be negative"));
-            };
-            let values = match count {
-                0 => Vec::new(),
-                _ => self.numbers(count, n_components, scalar)?,
-            };
-            if self.count.is_some_and(|(_, expected)| expected == count) && count > 0 {
-                let is_color = scalar == Scalar::U8 && matches!(n_components, 3 | 4);
-                self.keep(&name, &values, n_components as usize, is_color)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Reads past what VTK adds to arrays, up to an empty line.
-    fn metadata(&mut self) {
-        self.stream.rest_of_line();
-        while !self.stream.rest_of_line().is_empty() {}
-    }
-
-    /// Values, `n` for each element, as attributes.
-    fn keep(
-        &mut self,
-        name: &str,
-        values: &[f64],
-        n: usize,
-        is_color: bool,
-    ) -> Result<(), Malformed> {
-        if matches!(self.count, Some((false, _))) {
-            // a cell of VTK may be many elements
-            let n_values = self.sources.n_elements().saturating_mul(n);
-            self.stream.take_memory(n_values.saturating_mul(8), name)?;
-        }
-        let rows = values.chunks_exact(n);
-        if is_color {
-            // Saturates, and takes NaN to 0.
-            let color = |row: &[f64]| [row[0], row[1], row[2]].map(|part| part.round() as u8);
-            self.push(COLOR, AttributeValues::Color(rows.map(color).collect()));
-        } else if n == 3 {
-            let vectors = rows.map(DVec3::from_slice).collect();
-            self.push(name, AttributeValues::Vector(vectors));
-        } else {
-            for component in 0..n {
-                let scalars = rows.clone().map(|row| row[component]).collect();
-                let name = match n {
-                    1 => name.to_owned(),
-                    _ => format!("{name}_{component}"),
-                };
-                self.push(&name, AttributeValues::Scalar(scalars));
-            }
-        }
-        Ok(())
-    }
-
-    fn push(&mut self, name: &str, values: AttributeValues) {
-        match self.count {
-            Some((true, _)) => self.file.attributes.push(ElementKind::Vertex, name, values),
-            _ => self.sources.distribute(name, &values, &mut self.file),
-        }
-    }
-}
-
-/// Whether a corner is one of so many vertices.
-fn is_below(corner: i64, n_vertices: usize) -> bool {
-    usize::try_from(corner).is_ok_and(|corner| corner < n_vertices)
 }

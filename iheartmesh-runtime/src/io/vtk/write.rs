@@ -2,11 +2,17 @@
 
 use std::fmt::Write;
 
-use super::{HEXAHEDRON, LINE, NO_COLOR, POLYGON, QUADRILATERAL, TETRAHEDRON, TRIANGLE};
+use glam::DVec3;
+
+use super::{
+    HEXAGONAL_PRISM, HEXAHEDRON, LINE, NO_COLOR, PENTAGONAL_PRISM, POLYGON, POLYHEDRON, PYRAMID,
+    QUADRILATERAL, TETRAHEDRON, TRIANGLE, WEDGE, wedges,
+};
 use crate::element::ElementKind;
-use crate::io::attributes::{AttributeValues, NORMAL};
+use crate::io::attributes::{Attribute, AttributeValues, Attributes, NORMAL};
 use crate::io::error::CannotWrite;
-use crate::io::mesh_file::MeshFile;
+use crate::io::mesh_file::{MeshFile, PolygonsIter};
+use crate::io::polyhedra::{ordered_prism, ordered_pyramid};
 
 pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     let edges = file.edges.iter().map(|edge| (LINE, &edge[..]));
@@ -17,10 +23,15 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     });
     let tetrahedra = file.tetrahedra.iter().map(|cell| (TETRAHEDRON, &cell[..]));
     let hexahedra = file.hexahedra.iter().map(|cell| (HEXAHEDRON, &cell[..]));
+    let polyhedra = polyhedra(file);
+    let polyhedra = polyhedra
+        .iter()
+        .map(|(kind, numbers)| (*kind, &numbers[..]));
     let elements: Vec<(u8, &[u32])> = edges
         .chain(faces)
         .chain(tetrahedra)
         .chain(hexahedra)
+        .chain(polyhedra)
         .collect();
     // where the elements of each kind stand among all
     let [n_edges, n_faces] = [file.edges.len(), file.polygons.len()];
@@ -55,11 +66,8 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
         ("CELL_DATA", false, elements.len()),
     ] {
         let mut is_first = true;
-        for attribute in &file.attributes {
-            if (attribute.element == ElementKind::Vertex) != is_at_vertices {
-                continue;
-            }
-            let name = &attribute.name;
+        for array in arrays(&file.attributes, is_at_vertices) {
+            let name = &array[0].name;
             if name.is_empty() || name.contains(|c: char| c.is_whitespace() || c.is_control()) {
                 return Err(CannotWrite {
                     problem: format!("`{name}` cannot be the name of values in a VTK file"),
@@ -69,26 +77,100 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
             if std::mem::replace(&mut is_first, false) {
                 let _ = writeln!(text, "{title} {count}");
             }
-            let range = match is_at_vertices {
-                true => 0..count,
-                false => range(attribute.element),
+            let place = |index: usize| {
+                let mut members = array.iter();
+                members.find_map(|attribute| {
+                    let range = match is_at_vertices {
+                        true => 0..count,
+                        false => range(attribute.element),
+                    };
+                    let place = range.contains(&index).then(|| index - range.start)?;
+                    Some((&attribute.values, place))
+                })
             };
-            let place = |index: usize| range.contains(&index).then(|| index - range.start);
-            values(&mut text, name, &attribute.values, count, place);
+            values(&mut text, name, &array[0].values, count, place);
         }
     }
     Ok(text.into_bytes())
 }
 
-/// One array, with the value at `place(k)` for element k, or `nan` where there is none.
-fn values(
+/// The attributes on vertices, or on all others, that are one array in the file: those on several kinds of element that have
+/// the same name and the same kind of values, since VTK keeps one array of each name.
+fn arrays(attributes: &Attributes, is_at_vertices: bool) -> Vec<Vec<&Attribute>> {
+    let mut arrays: Vec<Vec<&Attribute>> = Vec::new();
+    for attribute in attributes {
+        if (attribute.element == ElementKind::Vertex) != is_at_vertices {
+            continue;
+        }
+        let kind = |attribute: &Attribute| std::mem::discriminant(&attribute.values);
+        let takes = |array: &&mut Vec<&Attribute>| {
+            array[0].name == attribute.name
+                && kind(array[0]) == kind(attribute)
+                && array.iter().all(|other| other.element != attribute.element)
+        };
+        match arrays.iter_mut().find(takes) {
+            Some(array) => array.push(attribute),
+            None => arrays.push(vec![attribute]),
+        }
+    }
+    arrays
+}
+
+/// The polyhedra as cells of VTK: prisms and pyramids as such if that says all of them.
+fn polyhedra(file: &MeshFile) -> Vec<(u8, Vec<u32>)> {
+    let mut cells: Vec<(u8, Vec<u32>)> = file.polyhedra.iter().map(polyhedron).collect();
+    let wedges = cells.iter().filter(|(kind, _)| *kind == WEDGE);
+    let wedges = wedges.filter_map(|(_, corners)| {
+        let corners: [u32; 6] = corners.as_slice().try_into().ok()?;
+        Some(corners.map(i64::from))
+    });
+    if wedges::are_reversed(wedges, &file.positions) {
+        for ((kind, cell), faces) in cells.iter_mut().zip(&file.polyhedra) {
+            if *kind == WEDGE {
+                (*kind, *cell) = (POLYHEDRON, stream(faces));
+            }
+        }
+    }
+    cells
+}
+
+fn polyhedron(faces: PolygonsIter<'_>) -> (u8, Vec<u32>) {
+    let prism = ordered_prism(faces.clone()).and_then(|corners| {
+        let kind = match corners.len() {
+            6 => WEDGE,
+            10 => PENTAGONAL_PRISM,
+            12 => HEXAGONAL_PRISM,
+            _ => return None,
+        };
+        Some((kind, corners))
+    });
+    let pyramid = || {
+        let corners = ordered_pyramid(faces.clone()).filter(|corners| corners.len() == 5);
+        corners.map(|corners| (PYRAMID, corners))
+    };
+    let simple = prism.or_else(pyramid);
+    simple.unwrap_or_else(|| (POLYHEDRON, stream(faces)))
+}
+
+/// The number of faces, and for each the number of its corners and these.
+fn stream(faces: PolygonsIter<'_>) -> Vec<u32> {
+    let mut stream = vec![faces.len() as u32];
+    for face in faces {
+        stream.push(face.len() as u32);
+        stream.extend_from_slice(face);
+    }
+    stream
+}
+
+/// One array of values as these are, with the value that stands in `place(k)` for element k, or `nan` where there is none.
+fn values<'a>(
     text: &mut String,
     name: &str,
-    values: &AttributeValues,
+    kind: &AttributeValues,
     count: usize,
-    place: impl Fn(usize) -> Option<usize>,
+    place: impl Fn(usize) -> Option<(&'a AttributeValues, usize)>,
 ) {
-    let _ = match values {
+    let _ = match kind {
         AttributeValues::Scalar(_) => {
             writeln!(text, "SCALARS {name} double 1\nLOOKUP_TABLE default")
         }
@@ -99,19 +181,21 @@ fn values(
         AttributeValues::Color(_) => writeln!(text, "COLOR_SCALARS {name} 3"),
     };
     for k in 0..count {
-        let _ = match values {
-            AttributeValues::Scalar(values) => {
-                let value = place(k).map_or(f64::NAN, |place| values[place]);
-                writeln!(text, "{}", number(value))
-            }
-            AttributeValues::Vector(values) => {
-                let value = place(k).map_or(glam::DVec3::NAN, |place| values[place]);
-                let [x, y, z] = value.to_array().map(number);
+        let (mut scalar, mut vector, mut color) = (f64::NAN, DVec3::NAN, NO_COLOR);
+        match place(k) {
+            Some((AttributeValues::Scalar(values), place)) => scalar = values[place],
+            Some((AttributeValues::Vector(values), place)) => vector = values[place],
+            Some((AttributeValues::Color(values), place)) => color = values[place],
+            None => {}
+        }
+        let _ = match kind {
+            AttributeValues::Scalar(_) => writeln!(text, "{}", number(scalar)),
+            AttributeValues::Vector(_) => {
+                let [x, y, z] = vector.to_array().map(number);
                 writeln!(text, "{x} {y} {z}")
             }
-            AttributeValues::Color(values) => {
-                let value = place(k).map_or(NO_COLOR, |place| values[place]);
-                let [r, g, b] = value.map(|part| f64::from(part) / 255.0);
+            AttributeValues::Color(_) => {
+                let [r, g, b] = color.map(|part| f64::from(part) / 255.0);
                 writeln!(text, "{r} {g} {b}")
             }
         };
