@@ -36,6 +36,20 @@ fn what_is_missing_is_said() {
     let opposite = place("OppositeFaces(e)", "T_1");
     let sides = place("OrientedOppositeFaces(i, j)", "T_1");
     let back = place("OrientedOppositeFaces(i, j)", "S_1");
+    // a program tells the place in its own text
+    let own = |call: &str, name: &str, place: &str| {
+        format!("`{name}` has no value in `{call}` (tests/programs/neighborhoods.hlang:{place})")
+    };
+    let in_face = own(
+        "NeighborVerticesInFace(f, v)",
+        "NeighborVerticesInFace",
+        "40:14",
+    );
+    let beside = own(
+        "OrientedOppositeFaces(i, j)",
+        "OrientedOppositeFaces",
+        "45:15",
+    );
     for (error, call, reason) in [
         (
             rust.try_EdgeIndex(v(1), v(3)).err(),
@@ -100,22 +114,22 @@ fn what_is_missing_is_said() {
         (
             program.try_both(f, v(3)).err(),
             "both(face 0, vertex 3)",
-            &next,
+            &in_face,
         ),
         (
             plain.try_both(f, v(3)).err(),
             "both(face 0, vertex 3)",
-            &next,
+            &in_face,
         ),
         (
             program.try_sides(v(0), v(1)).err(),
             "sides(vertex 0, vertex 1)",
-            &sides,
+            &beside,
         ),
         (
             plain.try_sides(v(0), v(1)).err(),
             "sides(vertex 0, vertex 1)",
-            &sides,
+            &beside,
         ),
     ] {
         assert_eq!(

@@ -4,11 +4,15 @@
 #[allow(dead_code)]
 mod generate;
 
+use iheartmesh::glam::DVec3;
 use iheartmesh::{Error, FaceMesh, Vertex, iheartmesh};
 
 iheartmesh! {
     pub struct GaussianCurvature = include "tests/programs/gaussian_curvature.hlang";
     pub struct MeanCurvature = include "tests/programs/mean_curvature.hlang";
+    pub struct Totals = include "tests/programs/totals.hlang";
+    #[without(all)]
+    pub struct PlainTotals = include "tests/programs/totals.hlang";
 }
 
 fn on_threads<T: Send>(n: usize, compute: impl FnOnce() -> T + Send) -> T {
@@ -58,5 +62,93 @@ fn the_first_vertex_without_a_value_is_named() {
             panic!("{error}");
         };
         assert_eq!(call, format!("H({first})"));
+    }
+}
+
+#[test]
+fn totals_do_not_depend_on_threads() {
+    // more than two pieces of a total, and enough of them for several threads
+    for (around, across) in [(3, 4), (20, 30), (110, 90)] {
+        let (x, mut triangles) = generate::torus(around, across);
+        // so that there is a boundary
+        triangles.pop();
+        let mesh = FaceMesh::from_triangles(x.len(), &triangles).unwrap();
+        let evaluate = || {
+            let totals = Totals::new(&mesh, &x, 0.5).unwrap();
+            (
+                totals.a(),
+                totals.n(),
+                totals.b(),
+                totals.m(),
+                totals.s(2.0),
+            )
+        };
+        let found = on_threads(1, evaluate);
+        for threads in [2, 3, 7] {
+            assert_eq!(on_threads(threads, evaluate), found);
+        }
+        let plain = on_threads(2, || {
+            let totals = PlainTotals::new(&mesh, &x, 0.5).unwrap();
+            (
+                totals.a(),
+                totals.n(),
+                totals.b(),
+                totals.m(),
+                totals.s(2.0),
+            )
+        });
+        // a closed surface without one triangle: its area vector and its border are that of the triangle
+        let [p, q, r] = triangles_corners(&x, &[0, 1, 2].map(|k| missing(around, across)[k]));
+        let hole = (q - p).cross(r - p);
+        let border = p.distance(q) + q.distance(r) + r.distance(p);
+        let area: f64 = triangles
+            .iter()
+            .map(|t| {
+                let [p, q, r] = triangles_corners(&x, t);
+                (q - p).cross(r - p).length()
+            })
+            .sum();
+        let second: f64 = x.iter().map(|p| p.x * p.x).sum();
+        for (a, n, b, m, s) in [found, plain] {
+            assert!((a - 0.5 * area).abs() < 1e-12 * area);
+            assert!((n + hole).length() < 1e-12 * area);
+            assert!((b - border).abs() < 1e-12);
+            assert!((m.x_axis.x - second).abs() < 1e-12 * second);
+            assert!((s - 2.0 * area).abs() < 1e-11 * area);
+        }
+    }
+}
+
+fn missing(around: usize, across: usize) -> [u32; 3] {
+    *generate::torus(around, across).1.last().unwrap()
+}
+
+fn triangles_corners(x: &[DVec3], triangle: &[u32; 3]) -> [DVec3; 3] {
+    triangle.map(|v| x[v as usize])
+}
+
+#[test]
+fn a_total_without_a_value_says_the_same_on_all_threads() {
+    let (x, mut triangles) = generate::torus(110, 90);
+    triangles.swap_remove(7000);
+    triangles.swap_remove(12000);
+    let mesh = FaceMesh::from_triangles(x.len(), &triangles).unwrap();
+    let says = |threads| {
+        on_threads(threads, || {
+            let totals = Totals::new(&mesh, &x, 0.5).unwrap();
+            totals.try_d().unwrap_err().to_string()
+        })
+    };
+    let one = says(1);
+    let missing = mesh
+        .edges()
+        .find(|e| mesh.edge_faces(*e).len() == 1)
+        .unwrap();
+    let start = format!(
+        "`d` has no value: for {missing}, `OppositeFaces` has no value in `OppositeFaces(e)`"
+    );
+    assert!(one.starts_with(&start), "{one}");
+    for threads in [2, 3, 7] {
+        assert_eq!(says(threads), one);
     }
 }

@@ -225,14 +225,8 @@ fn surfaces_that_are_not_manifold_or_not_orientable() {
                 (Err(x), Err(y)) => {
                     assert!(!expected, "{name} {v}");
                     let start = format!("`H({v})` has no value: ");
-                    assert_eq!(
-                        x.to_string(),
-                        format!(
-                            "{start}`OrientedOppositeFaces` has no value in `OrientedOppositeFaces(i, j)` \
-                             (tests/programs/mean_curvature.hlang:15:14)"
-                        )
-                    );
                     let y = y.to_string();
+                    assert_eq!(x.to_string(), y);
                     let reason = y.strip_prefix(&start).unwrap();
                     assert!(
                         [

@@ -8,6 +8,7 @@ use std::ops::Range;
 use sprs::CsMatI;
 
 use crate::element::ElementKind;
+use crate::generated::FIRST_MISSING;
 use crate::mesh::MeshError;
 
 /// A boundary matrix or a coboundary matrix (its transpose), signed or unsigned.
@@ -16,8 +17,8 @@ use crate::mesh::MeshError;
 /// (unsigned: 1), none of them zero.
 pub type BoundaryMatrix = CsMatI<i8, u32>;
 
-/// Largest number of elements of one kind: `sprs` needs one more than it to be a `u32`.
-pub(crate) const MAX_ELEMENTS: usize = u32::MAX as usize - 1;
+/// Largest number of elements of one kind: larger numbers stand for missing ones.
+pub(crate) const MAX_ELEMENTS: usize = FIRST_MISSING as usize;
 
 /// Largest number of edges: ∂¹ has two entries for each, whose number must be a `u32` too.
 pub(crate) const MAX_EDGES: usize = u32::MAX as usize / 2;

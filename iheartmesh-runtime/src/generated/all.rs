@@ -1,11 +1,13 @@
 //! Evaluation for all elements, in parallel where that pays.
 
-use std::ops::Range;
+use std::ops::{AddAssign, Range};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
+use super::missing::named;
 use super::{Fallible, Fault, PlanError};
+use crate::element::ElementKind;
 
 /// The values for all elements, or the first element that has none with the reason.
 pub type Whole<T> = Result<Vec<T>, (u32, Fault)>;
@@ -69,6 +71,55 @@ fn values<T: Clone + Send + Sync>(
     match failed.into_inner() {
         k if k < n => value(k).map(|_| values),
         _ => Ok(values),
+    }
+}
+
+/// So many terms of a total are added one after the other.
+const TERMS: usize = 512;
+
+/// Fewer pieces of a total than this are computed before another thread has woken up.
+const FEW: usize = 16;
+
+/// A sum over `0..n`, all elements of a kind if it is given; `terms` gives that over a range. Pieces of a fixed size are summed first and then added in order, so
+/// that the result does not depend on the number of threads.
+///
+/// # Errors
+/// That of the first term without a value.
+pub fn total<T: Send + AddAssign>(
+    kind: Option<ElementKind>,
+    n: usize,
+    terms: impl Fn(Range<usize>) -> Fallible<T> + Sync,
+) -> Fallible<T> {
+    let piece = |k: usize| {
+        let range = k * TERMS..n.min((k + 1) * TERMS);
+        terms(range.clone()).map_err(|fault| at_round(kind, range, fault, &terms))
+    };
+    let pieces = n.div_ceil(TERMS);
+    let add = |mut sum: T, term: Fallible<T>| {
+        sum += term?;
+        Ok(sum)
+    };
+    if pieces < FEW || !is_parallel(n) {
+        return (1..pieces).map(piece).try_fold(piece(0)?, add);
+    }
+    let sums: Vec<Fallible<T>> = (0..pieces).into_par_iter().map(piece).collect();
+    let mut sums = sums.into_iter();
+    let first = sums.next().unwrap_or_else(|| piece(0))?;
+    sums.try_fold(first, add)
+}
+
+/// Names the first round without a value of a range that has none, by computing each again.
+#[cold]
+fn at_round<T>(
+    kind: Option<ElementKind>,
+    range: Range<usize>,
+    fault: Fault,
+    terms: impl Fn(Range<usize>) -> Fallible<T>,
+) -> Fault {
+    let first = |k: usize| terms(k..k + 1).err().map(|fault| (k, fault));
+    match (kind, range.into_iter().find_map(first)) {
+        (Some(kind), Some((k, fault))) => named(fault, kind, k),
+        _ => fault,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rows turned so that their key comes first.
 
-use super::{NO_ELEMENT, PlanError, Rows, Table, concatenated, in_chunks};
+use super::{PlanError, Rows, Table, concatenated, in_chunks, is_missing};
 
 /// The rows of a table that hold their key in one of three columns, and those that do not.
 ///
@@ -20,7 +20,7 @@ pub fn corners<const N: usize, const M: usize>(
         let corners = circle.map(|column| row[column]);
         let first = corners.iter().position(|corner| *corner == key)?;
         let after = |places: usize| corners[(first + places) % 3];
-        let is_whole = corners.iter().all(|corner| *corner != NO_ELEMENT);
+        let is_whole = !corners.iter().any(|corner| is_missing(*corner));
         let is_same = merged
             .iter()
             .all(|&(column, places)| row[column] == after(places));

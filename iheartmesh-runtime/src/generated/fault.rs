@@ -1,6 +1,6 @@
 //! Failures of formulas, and accesses that may fail.
 
-use super::{NO_ELEMENT, NO_INTEGER};
+use super::NO_INTEGER;
 use crate::Error;
 
 /// Why a formula has no value: a text that the compiler wrote for the place in the formula.
@@ -74,16 +74,6 @@ pub fn entry<T>(values: &[T], number: i64, fault: Fault) -> Fallible<&T> {
 pub fn entry_mut<T>(values: &mut [T], number: i64, fault: Fault) -> Fallible<&mut T> {
     let index = usize::try_from(number.wrapping_sub(1)).ok();
     index.and_then(|index| values.get_mut(index)).ok_or(fault)
-}
-
-/// An element of a row, which may be missing.
-#[inline(always)]
-pub fn element(stored: u32, fault: Fault) -> Fallible<u32> {
-    if stored == NO_ELEMENT {
-        Err(fault)
-    } else {
-        Ok(stored)
-    }
 }
 
 /// An integer of a row, which may be missing.

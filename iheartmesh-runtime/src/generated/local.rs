@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use smallvec::SmallVec;
 
-use super::{Dense, Fallible, NO_ELEMENT, PlanError, Rows, Table, concatenated, in_chunks};
+use super::{Dense, Fallible, PlanError, Rows, Table, concatenated, in_chunks, is_missing};
 
 /// For each key the rows, in another table, of the different elements in some columns of its own rows.
 #[derive(Clone, Debug)]
@@ -103,8 +103,8 @@ impl Around {
     }
 
     fn slot(&mut self, element: u32) -> u32 {
-        if element == NO_ELEMENT {
-            return NO_ELEMENT;
+        if is_missing(element) {
+            return element;
         }
         let next = self.elements.len() as u32;
         if self.elements.len() < FEW {

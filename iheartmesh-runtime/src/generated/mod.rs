@@ -15,6 +15,7 @@ mod keys;
 mod linear;
 mod local;
 mod local_block;
+mod missing;
 mod optimum;
 mod orbit;
 mod places;
@@ -30,7 +31,7 @@ mod table;
 mod touch;
 mod tridiagonal;
 
-pub use all::{Whole, for_each_element, for_each_of, in_chunks};
+pub use all::{Whole, for_each_element, for_each_of, in_chunks, total};
 pub use array::*;
 pub use assemble::*;
 pub use chain::{Chain, boundary_as_matrix, chain_as_matrix, chain_as_vector};
@@ -42,8 +43,8 @@ pub use check::{
 pub use corners::corners;
 pub use dense::*;
 pub use fault::{
-    Fallible, Fault, PlanError, Recursion, at, element, encoded, entry, entry_mut, integer,
-    integers, is_greater, is_less, sized,
+    Fallible, Fault, PlanError, Recursion, at, encoded, entry, entry_mut, integer, integers,
+    is_greater, is_less, sized,
 };
 pub use host::HostCounted;
 pub use ids::{
@@ -54,6 +55,7 @@ pub use keys::Keys;
 pub use linear::*;
 pub use local::Locals;
 pub use local_block::LocalBlock;
+pub use missing::{FIRST_MISSING, NO_ELEMENT, element, is_missing, missing, of_element};
 pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};
 pub use orbit::{Grouped, Orbits};
 pub use places::Places;
@@ -70,7 +72,7 @@ pub use steps::{
 pub use table::{Dense, Rows, Table, concatenated};
 pub use touch::{Touch, touch};
 
-/// Stands in a row where an element is missing.
-pub const NO_ELEMENT: u32 = u32::MAX;
+pub use crate::element::ElementKind;
+
 /// Stands in a row where an integer is missing.
 pub const NO_INTEGER: u32 = 0x8000_0000;

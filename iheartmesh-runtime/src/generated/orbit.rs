@@ -8,7 +8,7 @@ use std::ops::{AddAssign, Range};
 use rayon::prelude::*;
 
 use super::all::is_parallel;
-use super::{Fallible, Keys, NO_ELEMENT, Rows, Table, for_each_element};
+use super::{Fallible, Keys, Rows, Table, for_each_element, is_missing};
 
 /// A sum whose terms are computed in groups.
 ///
@@ -116,7 +116,7 @@ impl<const A: usize, const M: usize> Orbits<A, M> {
                 let first = elements(key, row);
                 let mut members = [number; M];
                 let mut current = first;
-                let mut complete = !first.contains(&NO_ELEMENT);
+                let mut complete = !first.iter().any(|element| is_missing(*element));
                 for member in members.iter_mut().skip(1) {
                     if !complete {
                         break;

@@ -213,8 +213,19 @@ impl<'a> Body<'a> {
         let (op, body) = (*op, *body);
         let ty = self.ty(e);
         let (start, finish) = self.accumulator(e, op, ty, body == self.variable_expr(*variable));
+        let total = self.rounds_of_total(e);
+        let around = match &total {
+            Some(_) => self.rounds.replace(*variable),
+            None => self.rounds,
+        };
         let looped = self.looped(e, |this| this.step(e, op, ty, body));
-        quote!({ #start #looped #finish })
+        self.rounds = around;
+        match total {
+            Some(rounds) => {
+                quote!(rt::total(#rounds, |range| { #start #looped ::std::result::Result::Ok(#finish) })?)
+            }
+            None => quote!({ #start #looped #finish }),
+        }
     }
 
     /// A loop that does something for each value.

@@ -84,8 +84,8 @@ impl Body<'_> {
                     && self.ty(*index).is_element() =>
             {
                 let base = self.reference(*sequence);
-                let place = self.element_index(*index);
-                quote!(&(#base)[#place])
+                let element = self.stored_element(*index);
+                quote!(&(#base)[#element as usize])
             }
             _ => return None,
         })
@@ -155,18 +155,19 @@ impl Body<'_> {
                     false => quote!(s),
                 };
                 let arguments: Vec<_> = arguments.iter().map(|a| self.argument(*a)).collect();
-                quote!(#name(#first #(, #arguments)*)?)
+                let because = self.context.because_of_call(e);
+                quote!(#name(#first #(, #arguments)*)#because?)
             }
             Kind::Field(id, element) => {
                 let field = super::item::field_name(*id);
-                let index = self.element_index(*element);
                 let may_fail = self.index_may_fail(*element);
+                let index = self.stored_element(*element);
                 match may_fail {
                     true => {
                         let site = self.context.site(self.column_value(*element));
-                        quote!(*rt::at(#field, #index, #site)?)
+                        quote!(*rt::of_element(#field, #index, #site)?)
                     }
-                    false => quote!(#field[#index]),
+                    false => quote!(#field[#index as usize]),
                 }
             }
             Kind::Unary(op, a) => self.unary(e, *op, *a),
@@ -273,17 +274,16 @@ impl Body<'_> {
         }
     }
 
-    /// An element as an index, not checked where it is a column that may hold a mark.
-    fn element_index(&mut self, index: ExprId) -> TokenStream {
+    /// An element, not checked where it is a column in which it may be missing.
+    fn stored_element(&mut self, index: ExprId) -> TokenStream {
         if let Kind::Column(variable, k) = self.kind(index)
             && !self.names.contains_key(&index)
         {
             let row = row_name(*variable);
             let k = Literal::u32_unsuffixed(*k);
-            return quote!(#row[#k] as usize);
+            return quote!(#row[#k]);
         }
-        let index = self.owned(index);
-        quote!(#index as usize)
+        self.owned(index)
     }
 
     fn index_may_fail(&self, index: ExprId) -> bool {
@@ -323,17 +323,17 @@ impl Body<'_> {
         };
         if self.ty(index).is_element() {
             let may_fail = self.index_may_fail(index);
-            let place = self.element_index(index);
+            let element = self.stored_element(index);
             let is_input = matches!(self.kind(sequence), Kind::Input(_));
             match (may_fail, is_input) {
                 (true, _) => {
                     let site = self.context.site(self.column_value(index));
-                    quote!(*rt::at(&#base[..], #place, #site)?)
+                    quote!(*rt::of_element(&#base[..], #element, #site)?)
                 }
-                (false, true) => quote!(#base[#place]),
+                (false, true) => quote!(#base[#element as usize]),
                 (false, false) => {
                     let site = self.context.site(e);
-                    quote!(*rt::at(&#base[..], #place, #site)?)
+                    quote!(*rt::at(&#base[..], #element as usize, #site)?)
                 }
             }
         } else {

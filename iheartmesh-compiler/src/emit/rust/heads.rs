@@ -3,10 +3,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::block::{Body, is_copy, number_name, row_name};
-use crate::ir::{Kind, Range, VariableId};
+use super::block::{Body, Mode, is_copy, number_name, row_name};
+use super::slots::is_in_rounds;
+use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
 use crate::optimize::Rows;
-use crate::types::Type;
+use crate::types::{ElementKind, Type};
 
 impl Body<'_> {
     /// `for … in …`, binding what the inside of a loop needs.
@@ -122,6 +123,54 @@ impl Body<'_> {
                 quote!(#name as usize)
             }
         }
+    }
+
+    /// The rounds of a sum that is done in pieces, by several threads where there are many: one over elements, not inside of
+    /// another loop. Of which kind these are if they are all of a mesh, and how many.
+    pub(super) fn rounds_of_total(&self, e: ExprId) -> Option<TokenStream> {
+        let Kind::Fold {
+            op: Fold::Sum,
+            variable,
+            range,
+            ..
+        } = self.kind(e)
+        else {
+            return None;
+        };
+        let ty = self.ty(e);
+        let is_number = is_copy(ty) && !ty.is_integer();
+        if self.mode != Mode::Dynamic
+            || self.slots.is_some()
+            || !is_number
+            || self.placement.is_in_loop(e)
+            || !is_in_rounds(self.context, self.plan, e)
+        {
+            return None;
+        }
+        let element = match range {
+            Range::Integers(..) => return None,
+            Range::Set(set) => match self.kind(*set) {
+                Kind::AllElements(element) => *element,
+                _ => return None,
+            },
+            Range::Rows { .. } => match self.plan.space(*variable)?.rows {
+                Rows::Universe(element) => element,
+                _ => {
+                    let table = self.context.table_name(*variable);
+                    return Some(
+                        quote!(::std::option::Option::None, s.plans.#table.range(0).len()),
+                    );
+                }
+            },
+        };
+        let kind = match element.kind {
+            ElementKind::Vertex => quote!(Vertex),
+            ElementKind::Edge => quote!(Edge),
+            ElementKind::Face => quote!(Face),
+            ElementKind::Cell => quote!(Cell),
+        };
+        let n = self.context.count(element);
+        Some(quote!(::std::option::Option::Some(rt::ElementKind::#kind), #n))
     }
 
     /// The head of the loop over a variable, for the rounds in `range`.

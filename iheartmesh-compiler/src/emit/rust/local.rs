@@ -69,7 +69,7 @@ impl Body<'_> {
                     Literal::usize_unsuffixed(k),
                     self.context.site(self.column_value(arguments[0])),
                 );
-                let value = quote!((*rt::at(&#values[..], #slots[#k] as usize, #site)?));
+                let value = quote!((*rt::of_element(&#values[..], #slots[#k], #site)?));
                 self.calls.insert(*call, value);
             }
         }

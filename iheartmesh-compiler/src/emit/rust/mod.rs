@@ -149,6 +149,21 @@ impl Context<'_> {
         e
     }
 
+    /// A call of an imported function says itself why it has no value: what is missing further in stands in another text.
+    fn because_of_call(&self, call: ExprId) -> Option<TokenStream> {
+        let arena = &self.program().arena;
+        let crate::ir::Kind::Call(id, _) = arena.kind(call) else {
+            return None;
+        };
+        let function = self.program().function(*id);
+        let source = arena.origin(call)?.source;
+        if source == function.span.source || !self.may_fail.function(*id) {
+            return None;
+        }
+        let site = self.site(call);
+        Some(quote!(.map_err(|_| #site)))
+    }
+
     /// What is said when an expression fails for this reason.
     fn site_because(&self, e: ExprId, what: String) -> TokenStream {
         let e = self.outermost(e);

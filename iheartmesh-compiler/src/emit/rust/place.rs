@@ -286,6 +286,18 @@ impl Placement {
         &self.regions[region.0].placed
     }
 
+    /// Whether an expression is evaluated inside of a loop, or of a function that is searched or integrated.
+    pub fn is_in_loop(&self, e: ExprId) -> bool {
+        let mut region = self.place.get(&e).copied();
+        while let Some(RegionId(r)) = region {
+            if !self.regions[r].variables.is_empty() {
+                return true;
+            }
+            region = self.regions[r].parent;
+        }
+        false
+    }
+
     /// The region that a part of an expression is.
     pub fn part(&self, e: ExprId, part: Part) -> RegionId {
         self.parts[&(e, part)]

@@ -245,14 +245,19 @@ impl Context<'_> {
     fn stored(&self, body: &mut Body<'_>, value: ExprId) -> TokenStream {
         let may_fail = body.may_fail(value);
         let owned = body.owned(value);
-        let (encode, mark) = match body.ty(value) {
-            crate::types::Type::Element(_) => (owned, quote!(rt::NO_ELEMENT)),
-            crate::types::Type::Boolean => (quote!(u32::from(#owned)), quote!(rt::NO_INTEGER)),
-            _ => (quote!(rt::encoded(#owned)?), quote!(rt::NO_INTEGER)),
+        let (encode, otherwise) = match body.ty(value) {
+            crate::types::Type::Element(_) => (owned, quote!(unwrap_or_else(rt::missing))),
+            crate::types::Type::Boolean => {
+                (quote!(u32::from(#owned)), quote!(unwrap_or(rt::NO_INTEGER)))
+            }
+            _ => (
+                quote!(rt::encoded(#owned)?),
+                quote!(unwrap_or(rt::NO_INTEGER)),
+            ),
         };
         match may_fail {
             true => {
-                quote!((|| -> rt::Fallible<u32> { ::std::result::Result::Ok(#encode) })().unwrap_or(#mark))
+                quote!((|| -> rt::Fallible<u32> { ::std::result::Result::Ok(#encode) })().#otherwise)
             }
             false => encode,
         }
