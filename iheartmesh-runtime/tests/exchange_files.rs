@@ -119,6 +119,28 @@ fn vtk_and_gmsh_give_back_what_was_written() {
 }
 
 #[test]
+fn meshes_without_vertices() {
+    let mut names = vec![
+        "a.obj", "a.off", "a.ply", "a.stl", "a.mesh", "a.msh", "a.vtk",
+    ];
+    if cfg!(feature = "gltf") {
+        names.extend(["a.gltf", "a.glb"]);
+    }
+    for name in names {
+        let bytes = io::file_to_bytes(name, &MeshFile::default()).unwrap();
+        assert_eq!(read(name, bytes), MeshFile::default(), "{name}");
+        // nothing at all is no mesh
+        for nothing in ["", " ", "\n\n"] {
+            let error = io::from_bytes(name, nothing.as_bytes()).expect_err(name);
+            assert!(matches!(error, io::IoError::Malformed { .. }), "{error}");
+        }
+    }
+    for commented in ["# a comment\n", "\ng nothing\n"] {
+        assert_eq!(read("a.obj", commented), MeshFile::default());
+    }
+}
+
+#[test]
 fn stl_files() {
     let triangles = [[0, 1, 2], [2, 1, 3], [3, 1, 0]];
     let positions = &positions()[..4];

@@ -126,6 +126,89 @@ fn primitives_of_every_mode() {
     assert_eq!(file.edges, [[0, 1], [2, 3]]);
 }
 
+/// An accessor whose values are those of a view, or zero, but for some.
+fn sparse(view: &str, n_sparse: &str, indices: &str, values: &str) -> String {
+    let sparse = format!(
+        r#"{view}"sparse":{{"count":{n_sparse},"indices":{{"bufferView":1,"componentType":5123{indices}}},"values":{{"bufferView":0{values}}}}},"count":4,"componentType":5126"#
+    );
+    scene(r#"{"attributes":{"POSITION":0},"indices":1,"mode":1}"#, "").replacen(
+        r#""bufferView":0,"count":4,"componentType":5126"#,
+        &sparse,
+        1,
+    )
+}
+
+#[test]
+fn sparse_accessors() {
+    let read = |text: &str| {
+        let file = io::from_bytes("a.gltf", text.as_bytes());
+        file.unwrap_or_else(|error| panic!("{error}")).positions
+    };
+    let all = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    // vertices 1 and 2 get the values x, y of the view from byte 12 on
+    let at_one = r#","byteOffset":2"#;
+    let from_one = r#","byteOffset":12"#;
+    let some = read(&sparse("", "2", at_one, from_one));
+    assert_eq!(some, [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ZERO]);
+    let view = r#""bufferView":0,"#;
+    assert_eq!(read(&sparse(view, "2", at_one, from_one)), all);
+    let moved = read(&sparse(view, "2", at_one, r#","byteOffset":24"#));
+    assert_eq!(moved, [DVec3::ZERO, DVec3::Y, DVec3::Z, DVec3::Z]);
+    assert_eq!(read(&sparse(view, "0", "", "")), all);
+
+    let damaged = "the file is truncated or damaged";
+    let bytes = |text: String| text.replace("\"componentType\":5123}", "\"componentType\":5121}");
+    for (text, message) in [
+        (
+            sparse(view, "5", "", ""),
+            format!("5 entries of 2 bytes are to be in a view of 8 bytes; {damaged}"),
+        ),
+        (
+            sparse(view, "4", "", from_one),
+            format!("4 entries of 12 bytes are to be in a view of 48 bytes; {damaged}"),
+        ),
+        (
+            sparse(view, "18446744073709551615", "", ""),
+            format!("18446744073709551615 entries of 2 bytes are to be in a view of 8 bytes; {damaged}"),
+        ),
+        (
+            // the bytes 0 0 1 0 as indices
+            bytes(sparse(view, "3", "", "")),
+            "a value of the sparse accessor is to stand at 0 of 4 after 1 at least; \
+             the indices increase and are less than `count`"
+                .to_owned(),
+        ),
+        (
+            sparse(view, "4", "", "").replacen("\"count\":4,\"componentType\":5126", "\"count\":3,\"componentType\":5126", 1),
+            "a value of the sparse accessor is to stand at 3 of 3 after 3 at least; \
+             the indices increase and are less than `count`"
+                .to_owned(),
+        ),
+        (
+            sparse("", "0", "", "").replacen(
+                "\"count\":4,\"componentType\":5126",
+                "\"count\":4294967296,\"componentType\":5126",
+                1,
+            ),
+            "the scene takes far more memory than the file; \
+             the same data is placed too often, or a sparse accessor is far longer than its data"
+                .to_owned(),
+        ),
+        (
+            sparse(view, "1", "", "").replace("\"componentType\":5123}", "\"componentType\":5126}"),
+            "the type of the indices of the sparse accessor is unknown; components of indices are 5121, 5123 or 5125"
+                .to_owned(),
+        ),
+        (
+            sparse(view, "1", "", "").replace("\"indices\":{\"bufferView\":1", "\"indices\":{\"bufferView\":2"),
+            "there is no bufferViews[2]: there are 2; entries are numbered from 0".to_owned(),
+        ),
+    ] {
+        let error = io::from_bytes("a.gltf", text.as_bytes()).unwrap_err();
+        assert_eq!(error.to_string(), format!("a.gltf:accessors[0]: {message}"));
+    }
+}
+
 #[test]
 fn nodes_place_meshes() {
     // twice: shifted within a node that is twice as large and mirrored, and turned by 90 degrees around z
@@ -300,7 +383,7 @@ fn malformed_files() {
         ),
         (
             good.replace("\"bufferView\":1,", ""),
-            "accessors[1]: the accessor has no `bufferView`; save the file without sparse or compressed data".to_owned(),
+            "accessors[1]: the accessor has no `bufferView`; save the file without compressed data".to_owned(),
         ),
         (
             good.replace("\"byteLength\":48}", "\"byteLength\":48,\"byteStride\":4}"),

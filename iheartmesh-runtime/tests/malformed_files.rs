@@ -13,6 +13,10 @@ fn check(name: &str, contents: &str, expected: &str) {
 #[test]
 fn obj() {
     let bad = |contents: &str, expected: &str| check("bad.obj", contents, expected);
+    let empty =
+        "bad.obj:1: the file is empty; an OBJ file has lines such as `v 0 0 1` and `f 1 2 3`";
+    bad("", empty);
+    bad(" \r\n\n", empty);
     bad(
         "v 0 0 0\nv 1 zero 0\n",
         "bad.obj:2: coordinate y `zero` is no number; write it as 1.5e-3",
@@ -256,8 +260,8 @@ fn ply_headers() {
     );
     check(
         "bad.ply",
-        "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n1 0\n",
-        "bad.ply:6: the faces are given as triangle strips; save the file with plain faces",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n1 0\n",
+        "bad.ply:10: the faces are given as triangle strips; save the file with plain faces",
     );
 }
 
@@ -310,6 +314,14 @@ fn binary_ply() {
     // Elements without properties take no space, however many there are.
     let empty =
         "ply\nformat binary_little_endian 1.0\nelement nothing 18446744073709551615\nend_header\n";
+    check(
+        "bad.ply",
+        empty,
+        "bad.ply:4: the header declares no element `vertex`; a mesh without vertices has `element vertex 0`",
+    );
+    let vertices =
+        "element vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header";
+    let empty = empty.replace("end_header", vertices);
     assert!(
         io::from_bytes("empty.ply", empty.as_bytes())
             .unwrap()
@@ -317,7 +329,7 @@ fn binary_ply() {
             .is_empty()
     );
     // A list that is to have 2³¹ − 1 items.
-    let list = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list int double vertex_indices\nend_header\n";
+    let list = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list int double vertex_indices\nend_header\n".replace("end_header", vertices);
     let bytes = [list.as_bytes(), &i32::MAX.to_le_bytes(), &[0; 64]].concat();
     assert!(
         io::from_bytes("bad.ply", &bytes)

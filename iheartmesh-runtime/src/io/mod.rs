@@ -26,9 +26,13 @@
 //! then its polyhedra, each in the order of the file; [`MeshFile::cell_mesh`] numbers them so, and values are put into this
 //! order. Elements of second or higher order, with vertices between their corners, are refused.
 //!
-//! Vertices and faces keep their order (in MEDIT triangles are written before quadrilaterals and prisms before pyramids), vertices that no face names are kept, polygons are not split, and positions are
-//! read as `f64`. What a format cannot hold is an error, not left out. A file that is not what its format demands is an
-//! [`IoError`] with the place; memory stays within a small multiple of the size of the file.
+//! A file without contents is refused in every format. One that says that it has no vertices, such as a PLY file with empty
+//! lists or an OBJ file of comments, is an empty mesh.
+//!
+//! Vertices and faces keep their order (but in MEDIT triangles are written before quadrilaterals and prisms before
+//! pyramids), vertices that no face names are kept, polygons are not split, and positions are read as `f64`. What a format
+//! cannot hold is an error, not left out. A file that is not what its format demands is an [`IoError`] with the place;
+//! memory stays within a small multiple of the size of the file.
 
 mod attributes;
 mod error;

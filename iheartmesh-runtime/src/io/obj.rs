@@ -7,6 +7,9 @@
 //! Understood are `v` and `f` with indices of the forms `i`, `i/t`, `i//n`, `i/t/n`, counted from 1 or, if negative,
 //! from the last vertex back; comments and lines continued by `\`. Texture coordinates, normals, groups, materials,
 //! points, lines, and curves and surfaces are skipped.
+//!
+//! The format has no header. A file without any statement or comment is refused, since it is more likely an accident than a
+//! mesh without vertices; the latter is written as a comment.
 
 use std::fmt::Write;
 
@@ -22,7 +25,12 @@ use crate::element::ElementKind;
 const SKIPPED: &str = "vt vn vp g o s mg l p usemtl mtllib usemap maplib lod bevel c_interp d_interp shadow_obj \
     trace_obj ctech stech cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con call csh bsp bzp cdc cdp res";
 
+const STATEMENTS: &str = "an OBJ file has lines such as `v 0 0 1` and `f 1 2 3`";
+
 pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
+    if text.trim_ascii().is_empty() {
+        return Err(Line::new(1, text).error("the file is empty", STATEMENTS));
+    }
     let mut file = MeshFile::default();
     let mut colors = Vec::new();
     let mut corners = Vec::new();
@@ -67,10 +75,7 @@ pub(super) fn read(text: &str) -> Result<MeshFile, Malformed> {
             Some(keyword) if SKIPPED.split(' ').any(|other| other == keyword) => {}
             Some(keyword) => {
                 let problem = format!("unknown statement `{}`", shorten(keyword));
-                return Err(line.error(
-                    problem,
-                    "an OBJ file has lines such as `v 0 0 1` and `f 1 2 3`",
-                ));
+                return Err(line.error(problem, STATEMENTS));
             }
         }
     }
@@ -139,6 +144,9 @@ pub(super) fn write(
         }
     }
     let mut text = String::new();
+    if positions.is_empty() {
+        text.push_str("# no vertices\n");
+    }
     for (vertex, position) in positions.iter().enumerate() {
         // Writing into a `String` cannot fail.
         let _ = write!(text, "v {} {} {}", position.x, position.y, position.z);

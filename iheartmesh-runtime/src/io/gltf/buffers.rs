@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 use ::gltf::json::accessor::{ComponentType, Type};
+use ::gltf::json::buffer::View;
 use ::gltf::json::validation::Checked;
-use ::gltf::json::{Accessor, Root};
+use ::gltf::json::{Index, Root};
 
 use crate::io::error::{Malformed, Place};
 
@@ -71,7 +72,7 @@ impl Contents<'_> {
             None => Err(Malformed {
                 place,
                 problem: "the scene takes far more memory than the file".to_owned(),
-                help: "the same data is placed too often",
+                help: "the same data is placed too often, or a sparse accessor is far longer than its data",
             }),
         }
     }
@@ -86,12 +87,6 @@ impl Contents<'_> {
             problem: problem.to_owned(),
             help,
         };
-        if accessor.sparse.is_some() {
-            return Err(error(
-                "the accessor is sparse",
-                "save the file without sparse accessors",
-            ));
-        }
         let (Checked::Valid(component), Checked::Valid(kind)) =
             (accessor.component_type, accessor.type_)
         else {
@@ -108,29 +103,63 @@ impl Contents<'_> {
                 "vertices have scalars and vectors",
             ));
         }
-        let bytes = self.bytes(accessor, index, component.size() * n_components)?;
-        let (count, stride) = (bytes.count, bytes.stride);
-        let (buffer, start) = (bytes.buffer, bytes.start);
-        self.take(count.saturating_mul(8 * n_components), place)?;
-        let data: &[u8] = &self.buffers[buffer];
-        let mut values = Vec::with_capacity(count * n_components);
-        for row in 0..count {
-            let row = &data[start + row * stride..][..component.size() * n_components];
-            values.extend(
-                row.chunks_exact(component.size())
-                    .map(|part| match component {
-                        ComponentType::I8 => f64::from(part[0] as i8),
-                        ComponentType::U8 => f64::from(part[0]),
-                        ComponentType::I16 => f64::from(i16::from_le_bytes([part[0], part[1]])),
-                        ComponentType::U16 => f64::from(u16::from_le_bytes([part[0], part[1]])),
-                        ComponentType::U32 => {
-                            f64::from(u32::from_le_bytes([part[0], part[1], part[2], part[3]]))
-                        }
-                        ComponentType::F32 => {
-                            f64::from(f32::from_le_bytes([part[0], part[1], part[2], part[3]]))
-                        }
-                    }),
-            );
+        let count = to_usize(accessor.count.0);
+        let n_values = count.saturating_mul(n_components);
+        let start = accessor.byte_offset.map_or(0, |offset| offset.0);
+        let place_in = |view: Index<View>, start, count, component| Rows {
+            view: view.value(),
+            start: to_usize(start),
+            count,
+            component,
+            n_components,
+            place,
+        };
+        let mut values = match (accessor.buffer_view, &accessor.sparse) {
+            (Some(view), _) => self.rows(&place_in(view, start, count, component))?,
+            (None, Some(_)) => {
+                self.take(n_values.saturating_mul(8), place)?;
+                vec![0.0; n_values]
+            }
+            (None, None) => {
+                return Err(error(
+                    "the accessor has no `bufferView`",
+                    "save the file without compressed data",
+                ));
+            }
+        };
+        if let Some(sparse) = &accessor.sparse {
+            let Checked::Valid(index_component) = sparse.indices.component_type else {
+                return Err(error(
+                    "the type of the indices of the sparse accessor is unknown",
+                    "components of indices are 5121, 5123 or 5125",
+                ));
+            };
+            let n_sparse = to_usize(sparse.count.0);
+            let start = sparse.indices.byte_offset.0;
+            let view = sparse.indices.buffer_view;
+            let indices = self.rows(&Rows {
+                n_components: 1,
+                ..place_in(view, start, n_sparse, index_component.0)
+            })?;
+            let start = sparse.values.byte_offset.0;
+            let view = sparse.values.buffer_view;
+            let others = self.rows(&place_in(view, start, n_sparse, component))?;
+            let mut least = 0;
+            for (row, other) in indices.iter().zip(others.chunks_exact(n_components)) {
+                // 32 bits are exact
+                let row = *row as usize;
+                if row < least || row >= count {
+                    let problem = format!(
+                        "a value of the sparse accessor is to stand at {row} of {count} after {least} at least"
+                    );
+                    return Err(error(
+                        &problem,
+                        "the indices increase and are less than `count`",
+                    ));
+                }
+                values[row * n_components..][..n_components].copy_from_slice(other);
+                least = row + 1;
+            }
         }
         Ok(Numbers {
             n_components,
@@ -140,23 +169,21 @@ impl Contents<'_> {
         })
     }
 
-    /// Where the rows of an accessor stand, each of so many bytes; all are inside of the buffer.
-    fn bytes(&self, accessor: &Accessor, index: usize, size: usize) -> Result<Rows, Malformed> {
-        let place = Place::Entry("accessors", index);
-        let Some(view_index) = accessor.buffer_view else {
-            return Err(Malformed {
-                place,
-                problem: "the accessor has no `bufferView`".to_owned(),
-                help: "save the file without sparse or compressed data",
-            });
-        };
-        let view_index = view_index.value();
-        let view = entry(&self.root.buffer_views, "bufferViews", view_index, place)?;
-        let view_place = Place::Entry("bufferViews", view_index);
+    /// The numbers of rows, one after the other; all are inside of the view.
+    fn rows(&mut self, rows: &Rows) -> Result<Vec<f64>, Malformed> {
+        let &Rows {
+            count,
+            component,
+            n_components,
+            place,
+            ..
+        } = rows;
+        let size = component.size() * n_components;
+        let root = self.root;
+        let view = entry(&root.buffer_views, "bufferViews", rows.view, place)?;
+        let view_place = Place::Entry("bufferViews", rows.view);
         let buffer = view.buffer.value();
         let data = entry(&self.buffers, "buffers", buffer, view_place)?;
-        let to_usize = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
-        let count = to_usize(accessor.count.0);
         let stride = view.byte_stride.map_or(size, |stride| stride.0);
         if stride < size {
             return Err(Malformed {
@@ -180,8 +207,7 @@ impl Contents<'_> {
                 help: "the file is truncated or damaged",
             });
         };
-        let start = to_usize(accessor.byte_offset.map_or(0, |offset| offset.0));
-        let start = start.saturating_add(view_start);
+        let start = rows.start.saturating_add(view_start);
         let end = match count {
             0 => Some(start),
             _ => stride
@@ -192,24 +218,47 @@ impl Contents<'_> {
             return Err(Malformed {
                 place,
                 problem: format!(
-                    "{} entries of {size} bytes are to be in a view of {} bytes",
-                    accessor.count.0, view.byte_length.0
+                    "{count} entries of {size} bytes are to be in a view of {} bytes",
+                    view.byte_length.0
                 ),
                 help: "the file is truncated or damaged",
             });
         }
-        Ok(Rows {
-            buffer,
-            start,
-            stride,
-            count,
-        })
+        self.take(count.saturating_mul(8 * n_components), place)?;
+        let data: &[u8] = &self.buffers[buffer];
+        let mut values = Vec::with_capacity(count * n_components);
+        for row in 0..count {
+            let row = &data[start + row * stride..][..size];
+            let parts = row.chunks_exact(component.size());
+            values.extend(parts.map(|part| number(part, component)));
+        }
+        Ok(values)
     }
 }
 
+/// Where rows of numbers stand.
 struct Rows {
-    buffer: usize,
+    view: usize,
+    /// From the start of the view.
     start: usize,
-    stride: usize,
     count: usize,
+    component: ComponentType,
+    n_components: usize,
+    /// What refers to them.
+    place: Place,
+}
+
+fn number(part: &[u8], component: ComponentType) -> f64 {
+    match component {
+        ComponentType::I8 => f64::from(part[0] as i8),
+        ComponentType::U8 => f64::from(part[0]),
+        ComponentType::I16 => f64::from(i16::from_le_bytes([part[0], part[1]])),
+        ComponentType::U16 => f64::from(u16::from_le_bytes([part[0], part[1]])),
+        ComponentType::U32 => f64::from(u32::from_le_bytes([part[0], part[1], part[2], part[3]])),
+        ComponentType::F32 => f64::from(f32::from_le_bytes([part[0], part[1], part[2], part[3]])),
+    }
+}
+
+fn to_usize(n: u64) -> usize {
+    usize::try_from(n).unwrap_or(usize::MAX)
 }

@@ -15,7 +15,7 @@
 //! The meshes of the scene (the default one or the first; without any, all meshes) follow one another. What only some of them have is
 //! NaN on the others, or white. Vertices are not merged: programs write a vertex several times where normals or
 //! textures differ, see [`MeshFile::merge_equal_positions`](super::MeshFile::merge_equal_positions).
-//! Materials, textures, skins, animations and morph targets are skipped; compressed meshes and sparse accessors are errors.
+//! Materials, textures, skins, animations and morph targets are skipped; compressed meshes are errors.
 //!
 //! The format has single precision: positions and values are rounded when they are written. It holds neither values on
 //! faces nor polygons that are not triangles.

@@ -191,6 +191,13 @@ fn header(bytes: &[u8]) -> Result<(Header, Payload<'_>), Malformed> {
             "the header declares an element or a property twice".to_owned(),
         ));
     }
+    if !header.elements.contains_key("vertex") {
+        return Err(Malformed {
+            place: Place::Line(n_lines),
+            problem: "the header declares no element `vertex`".to_owned(),
+            help: "a mesh without vertices has `element vertex 0`",
+        });
+    }
     let position = if header.encoding == Encoding::Ascii {
         n_lines + 1
     } else {
