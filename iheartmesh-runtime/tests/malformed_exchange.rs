@@ -231,6 +231,10 @@ fn vtk() {
             "10: cell 0 is of type 41, a convex point set, which does not say what its faces are; \
              save it as a polyhedron, of type 42".to_owned(),
         ),
+        (
+            "{points}CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n266\n",
+            format!("12: there is no type 266 of cells; {damaged}"),
+        ),
         ("{points}POINTS 0 double\n", "9: there are two lists of points; keep one".to_owned()),
         (
             "{points}CELLS 2 3\nOFFSETS vtktypeint64\n0 4\n",

@@ -64,6 +64,10 @@ pub(super) const NORMAL: &str = "normal";
 
 /// The values that a mesh file carries besides positions and polygons, in the order of the file.
 ///
+/// Each has one value for each element of its kind, in ascending order: of cells the tetrahedra, then the hexahedra, then
+/// the polyhedra of a [`MeshFile`](super::MeshFile). Numbers are those of the file, in its units. An element
+/// to which a file gives no value has NaN.
+///
 /// Made by a chain of calls. Lengths and names are checked when the file is written.
 ///
 /// ```
@@ -146,7 +150,7 @@ impl Attributes {
         )
     }
 
-    /// Adds a real number for each cell.
+    /// Adds a real number for each cell: for the tetrahedra, then the hexahedra, then the polyhedra.
     #[must_use]
     pub fn cell_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
         self.with(
@@ -156,7 +160,7 @@ impl Attributes {
         )
     }
 
-    /// Adds a vector for each cell.
+    /// Adds a vector for each cell: for the tetrahedra, then the hexahedra, then the polyhedra.
     #[must_use]
     pub fn cell_vector(self, name: &str, values: impl Into<Vec<DVec3>>) -> Self {
         self.with(
@@ -166,7 +170,7 @@ impl Attributes {
         )
     }
 
-    /// Adds a real number for each edge.
+    /// Adds a real number for each edge that stands in the file as such, not for those of faces.
     #[must_use]
     pub fn edge_scalar(self, name: &str, values: impl Into<Vec<f64>>) -> Self {
         self.with(
@@ -212,7 +216,8 @@ impl Attributes {
         self.list.iter()
     }
 
-    /// The values of the attribute with this name on this kind of element.
+    /// The values of the attribute with this name on this kind of element: the first one if there are several, `None` if
+    /// there is none.
     pub fn get(&self, element: ElementKind, name: &str) -> Option<&AttributeValues> {
         let is_wanted =
             |attribute: &&Attribute| attribute.element == element && attribute.name == name;
@@ -222,7 +227,7 @@ impl Attributes {
             .map(|attribute| &attribute.values)
     }
 
-    /// The real numbers with this name on this kind of element.
+    /// The real numbers with this name on this kind of element, or `None` if there are none or they are no numbers.
     pub fn scalar(&self, element: ElementKind, name: &str) -> Option<&[f64]> {
         match self.get(element, name) {
             Some(AttributeValues::Scalar(values)) => Some(values),
@@ -230,7 +235,8 @@ impl Attributes {
         }
     }
 
-    /// The vectors with this name on this kind of element. Normals have the name `normal`.
+    /// The vectors with this name on this kind of element, or `None` if there are none or they are no vectors. Normals have the
+    /// name `normal`.
     pub fn vector(&self, element: ElementKind, name: &str) -> Option<&[DVec3]> {
         match self.get(element, name) {
             Some(AttributeValues::Vector(values)) => Some(values),
@@ -238,7 +244,7 @@ impl Attributes {
         }
     }
 
-    /// The colours on this kind of element: red, green and blue, each from 0 to 255.
+    /// The colours on this kind of element: red, green and blue, each from 0 to 255; or `None`.
     pub fn colors(&self, element: ElementKind) -> Option<&[[u8; 3]]> {
         match self.get(element, COLOR) {
             Some(AttributeValues::Color(values)) => Some(values),

@@ -15,13 +15,14 @@ use crate::mesh::{CellMesh, EdgeMesh, FaceMesh, MeshError};
 pub struct MeshFile {
     /// Position of each vertex, also of those that no polygon names. All are finite.
     pub positions: Vec<DVec3>,
-    /// Edges that stand in the file as such; those of polygons and cells are not repeated here.
+    /// Edges that stand in the file as such; those of polygons and cells are not repeated here. Both ends are below the
+    /// number of positions, and may be the same.
     pub edges: Vec<[u32; 2]>,
     /// The polygons. Every corner is below the number of positions; a polygon may be degenerate.
     pub polygons: Polygons,
-    /// Tetrahedra by their vertices, in the order that [`CellMesh::from_tetrahedra`] takes.
+    /// Tetrahedra by their vertices, in the order that [`CellMesh::from_tetrahedra`] takes. They may be degenerate.
     pub tetrahedra: Vec<[u32; 4]>,
-    /// Hexahedra by their vertices, in the order that [`CellMesh::from_hexahedra`] takes.
+    /// Hexahedra by their vertices, in the order that [`CellMesh::from_hexahedra`] takes. They may be degenerate.
     pub hexahedra: Vec<[u32; 8]>,
     /// All other cells: prisms, pyramids and polyhedra of any form, in the order of the file. Every corner is below the
     /// number of positions; each has at least four faces, and each face at least three corners.
@@ -99,7 +100,7 @@ impl MeshFile {
     }
 
     /// Makes one vertex of all that have exactly the same position (−0 is 0), the first of them; it keeps its values. Edges,
-    /// polygons and cells name it, and keep their order.
+    /// polygons and cells name it, and keep their order; what joins two that are merged is degenerate then, and kept.
     ///
     /// For files in which a vertex stands once for each normal or texture coordinate, as in glTF, where a surface would
     /// otherwise be cut along such seams.

@@ -170,7 +170,9 @@ fn parse(
 /// Writes a mesh file. The extension of `path` (in any case) chooses the format.
 ///
 /// `positions` has one entry for each vertex; `faces` is a [`FaceMesh`](crate::FaceMesh), [`Polygons`] or a list of
-/// triangles. Reading the file back gives the same numbers, bit by bit (colours in OBJ excepted: they are fractions).
+/// triangles, with corners numbered from 0. Reading the file back gives the same numbers, bit by bit, except where the format
+/// rounds: STL and glTF hold positions and values in single precision, OBJ and VTK colours as decimal fractions,
+/// from which the same colours are read. STL numbers its vertices anew.
 ///
 /// # Errors
 /// [`IoError::UnknownFormat`] for another extension, [`IoError::File`] if the file cannot be written, and
@@ -220,6 +222,7 @@ pub fn to_bytes(
 }
 
 /// Writes all of a mesh file, such as one with tetrahedra. The extension of `path` (in any case) chooses the format.
+/// [`MeshFile::of_cells`] makes one of a [`CellMesh`](crate::CellMesh).
 ///
 /// ```no_run
 /// # use iheartmesh_runtime::io::{self, Attributes, MeshFile};
@@ -232,7 +235,9 @@ pub fn to_bytes(
 /// ```
 ///
 /// # Errors
-/// As [`write()`]: also where the file has edges or cells and the format is OBJ, OFF or PLY, which hold none.
+/// As [`write()`]; also where the file has edges or cells and the format is OBJ, OFF, PLY or STL, which hold none, or cells
+/// and it is glTF; where it has polyhedra that are neither prisms nor pyramids and the format is MEDIT or Gmsh; and where a
+/// polyhedron has fewer than four faces, or one of fewer than three corners.
 pub fn write_file(path: impl AsRef<Path>, file: &MeshFile) -> Result<(), IoError> {
     let path = path.as_ref();
     let bytes = file_to_bytes(path, file)?;

@@ -85,7 +85,15 @@ impl CellMesh {
     }
 
     /// The mesh of hexahedra given by their vertices (numbers from 0) in the order of VTK: four around the bottom,
-    /// counter-clockwise seen from above, then the four above them.
+    /// counter-clockwise seen from above, then the four above them. One whose top is below its bottom is negatively
+    /// oriented; all may be, or none, or some.
+    ///
+    /// ```
+    /// # use iheartmesh_runtime::CellMesh;
+    /// let mesh = CellMesh::from_hexahedra(8, &[[0, 1, 2, 3, 4, 5, 6, 7]])?;
+    /// assert_eq!((mesh.n_edges(), mesh.n_faces(), mesh.euler_characteristic()), (12, 6, 1));
+    /// # Ok::<(), iheartmesh_runtime::MeshError>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`from_tetrahedra`](Self::from_tetrahedra).
@@ -217,8 +225,9 @@ impl CellMesh {
         (ElementSlice::new(faces), signs)
     }
 
-    /// The vertices of a cell: as in the input if the mesh was made from tetrahedra or hexahedra. Otherwise ascending,
-    /// and, if all cells are tetrahedra, in such an order that they are positively oriented.
+    /// The vertices of a cell, each once: as in the input if the mesh was made from tetrahedra alone or hexahedra alone.
+    /// Otherwise ascending, but, if all cells are tetrahedra, in such an order that each has the orientation that its
+    /// sides say.
     #[inline]
     pub fn cell_vertices(&self, cell: Cell) -> ElementSlice<'_, Vertex> {
         let data = &*self.data;
@@ -229,7 +238,8 @@ impl CellMesh {
         ElementSlice::new(&data.cell_corners[from as usize..to as usize])
     }
 
-    /// The vertices of all cells, or `None` unless every cell is a tetrahedron.
+    /// The vertices of all cells, in the order that [`from_tetrahedra`](Self::from_tetrahedra) takes, or `None` unless every
+    /// cell is a tetrahedron.
     #[inline]
     pub fn tetrahedra(&self) -> Option<&[[u32; 4]]> {
         self.data

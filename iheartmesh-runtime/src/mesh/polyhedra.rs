@@ -83,7 +83,8 @@ impl CellMesh {
         Ok(mesh)
     }
 
-    /// The mesh of tetrahedra, then hexahedra, both in the orders that the constructors for one kind take.
+    /// The mesh of tetrahedra, then hexahedra, both in the orders that the constructors for one kind take: the cells are
+    /// numbered in this order. [`cell_vertices`](Self::cell_vertices) are ascending if there are hexahedra.
     ///
     /// # Errors
     /// Those of [`from_tetrahedra`](Self::from_tetrahedra).
@@ -122,7 +123,8 @@ impl CellMesh {
     }
 
     /// The mesh with these boundary matrices, in either storage order of `sprs`: `d1` is ∂¹ (vertices × edges), `d2` is
-    /// ∂² (edges × faces), `d3` is ∂³ (faces × cells). All numbers and orientations are those of the matrices.
+    /// ∂² (edges × faces), `d3` is ∂³ (faces × cells). All numbers and orientations are those of the matrices, with the
+    /// signs that [`CellMesh`] describes.
     ///
     /// # Errors
     /// Those of [`FaceMesh::from_boundary_matrices`](crate::FaceMesh::from_boundary_matrices), and

@@ -101,7 +101,11 @@ impl Reader<'_> {
                 let count = self.begin("cells", count, 1, 4)?;
                 for _ in 0..count {
                     let kind = self.stream.whole("the type of a cell", Scalar::I32)?;
-                    self.cells.kinds.push(u8::try_from(kind).unwrap_or(u8::MAX));
+                    let Ok(kind) = u8::try_from(kind) else {
+                        let problem = format!("there is no type {kind} of cells");
+                        return Err(self.stream.error(problem, DAMAGED));
+                    };
+                    self.cells.kinds.push(kind);
                 }
             }
             "POINT_DATA" => {
