@@ -7,9 +7,30 @@ mod generate;
 use allocation_counter::measure;
 use iheartmesh::glam::DVec2;
 use iheartmesh::{FaceMesh, iheartmesh};
+use nalgebra::{DMatrix, DVector};
 
 iheartmesh! {
     struct Dirichlet = include "tests/programs/symmetric_dirichlet.hlang";
+
+    struct Products = "
+        ElementSets from MeshConnectivity
+        OrientedVertices, Vertices from Neighborhoods(M)
+        psd, psd_abs from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        v ∈ ℝ^(2#V)
+        Z ∈ ℝ^(2#V×k)
+        D(f) = |[x_b - x_a  x_c - x_a]| where f ∈ F, a, b, c = OrientedVertices(f)
+        S(f) = { (D(f) - 1)² if D(f) > ½
+                 0 otherwise where f ∈ F
+        l(k) = (‖x_i - x_j‖² - 1)² where k ∈ E, i, j = Vertices(k)
+        H = ∂²(∑_(f ∈ F) S(f) + ∑_(k ∈ E) l(k))/∂x²
+        P = ∑_(f ∈ F) psd(∂²S(f)/∂x²) - 2 ∑_(k ∈ E) psd_abs(∂²l(k)/∂x²)
+        p = H v
+        q = P v
+        A = (H + P) Z
+    ";
 }
 
 #[test]
@@ -49,4 +70,36 @@ fn values_in_memory_that_is_at_hand() {
     }
     // a new value does allocate
     assert!(measure(|| drop(module.H())).count_total > 0);
+}
+
+#[test]
+fn products_in_memory_that_is_at_hand() {
+    let (positions, triangles) = generate::torus(12, 10);
+    let mesh = FaceMesh::from_triangles(positions.len(), &triangles).unwrap();
+    let mut random = fastrand::Rng::with_seed(3);
+    let x: Vec<DVec2> = positions.iter().map(|p| DVec2::new(p.x, p.z)).collect();
+    let n = 2 * x.len();
+    let vectors: Vec<_> = (0..4)
+        .map(|_| DVector::from_fn(n, |_, _| random.f64()))
+        .collect();
+    let matrices: Vec<_> = (0..4)
+        .map(|_| DMatrix::from_fn(n, 10, |_, _| random.f64()))
+        .collect();
+    let mut module = Products::new(&mesh, &x, &vectors[0], &matrices[0]).unwrap();
+    let (mut p, mut q, mut a) = (module.p(), module.q(), module.A());
+    module.set_v(&vectors[1]).unwrap();
+    module.p_into(&mut p);
+    module.q_into(&mut q);
+    for (v, z) in vectors.iter().zip(&matrices) {
+        module.set_Z(z).unwrap();
+        let found = measure(|| {
+            module.set_v(v).unwrap();
+            module.p_into(&mut p);
+            module.q_into(&mut q);
+            module.A_into(&mut a);
+        });
+        assert_eq!(found.count_total, 0);
+        let fresh = Products::new(&mesh, &x, v, z).unwrap();
+        assert_eq!((&p, &q, &a), (&fresh.p(), &fresh.q(), &fresh.A()));
+    }
 }

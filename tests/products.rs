@@ -48,8 +48,50 @@ programs! {
         o = tr(G)
     "#;
 
+    Columns, PlainColumns = r#"
+        ElementSets from MeshConnectivity
+        OrientedVertices, VertexOneRing, Vertices from Neighborhoods(M)
+        psd, psd_abs, vec from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        u : V → ℝ²
+        w ∈ ℝ
+        Z ∈ ℝ^(2#V×k)
+        Y ∈ ℝ^(k×2#V)
+        D(f) = |[x_b - x_a  x_c - x_a]| where f ∈ F, a, b, c = OrientedVertices(f)
+        S(f) = { (D(f) - w)² if D(f) > ½
+                 w ‖x_a - x_b‖² if D(f) > 0
+                 0 otherwise where f ∈ F, a, b, c = OrientedVertices(f)
+        l(k) = (‖x_i - x_j‖² - w)² where k ∈ E, i, j = Vertices(k)
+        r(i) = ∑_(j ∈ VertexOneRing(i)) (‖x_i - x_j‖² - w)² where i ∈ V
+        e = ∑_(f ∈ F) S(f) + ½ ∑_(k ∈ E) l(k)
+        v = vec(u)
+        H = ∂²e/∂x²
+        P = ∑_(f ∈ F) psd(∂²S(f)/∂x²)
+        `Q` = ∑_(k ∈ E) psd_abs(∂²l(k)/∂x²)
+        R = ∑_(i ∈ V) psd(∂²r(i)/∂x²)
+        a = P v
+        b = (P - 2 `Q`)ᵀ v / w
+        c = vᵀ P
+        d = vᵀ `Q` v
+        g = (H + P) (v - `Q` v)
+        h = R v
+        A = H Z
+        B = Y H
+        C = Zᵀ H Z
+        `K` = (P + 3 H) Z
+        N = Y `Q`
+        G = Zᵀ (P - H) Z
+        T = [v  vec(x)  (w v)]
+        I = H T
+        J = `Q` T
+        O = Tᵀ P T
+        L = R T - (H (P Z)) (Y v) (vᵀ T)
+    "#;
+
     Pairs, PlainPairs = r#"
-        vec from linearalgebra
+        psd, psd_abs, vec from linearalgebra
         x_i ∈ ℝ²
         u_i ∈ ℝ²
         w ∈ ℝ
@@ -57,7 +99,12 @@ programs! {
         T(i, j) = (‖x_i - 2 x_j‖² - w)² where i, j ∈ ℤ
         e = ∑_((i, j) ∈ Q) T(i, j)
         H = ∂²e/∂x²
+        `θ` = ∑_((i, j) ∈ Q) psd(∂²T(i, j)/∂x²)
+        A = ∑_((i, j) ∈ Q) psd_abs(∂²T(i, j)/∂x²)
         p = H vec(u)
+        q = `θ` vec(u)
+        r = vec(u)ᵀ A
+        s = `θ` [vec(u)  vec(x)]
     "#;
 }
 
@@ -149,17 +196,95 @@ for_both! {
     }
 
     #[test]
+    fn projected_blocks_and_several_columns() {
+        for (mesh, n) in meshes() {
+            if n > 100 && std::any::type_name::<Columns>().contains("Plain") {
+                continue;
+            }
+            let (x, u) = (points(n, 3), points(n, 4));
+            let mut random = fastrand::Rng::with_seed(8);
+            for (k, w) in [(2, 0.7), (0, 0.2), (11, 4.0)] {
+                if n > 100 && k != 2 {
+                    continue;
+                }
+                let z = DMatrix::from_fn(2 * n, k, |_, _| random.f64() - 0.5);
+                let y = DMatrix::from_fn(k, 2 * n, |_, _| random.f64() - 0.5);
+                let module = Columns::new(&mesh, &x, &u, w, &z, &y).unwrap();
+                let column = DMatrix::from_iterator(2 * n, 1, u.iter().flat_map(|x| x.to_array()));
+                let mut t = DMatrix::zeros(2 * n, 3);
+                t.set_column(0, &column.column(0));
+                t.set_column(1, &DVector::from_iterator(2 * n, x.iter().flat_map(|x| x.to_array())));
+                t.set_column(2, &(w * column.column(0)));
+                // the products come first: nothing that they need has been computed
+                let one = |x: DVector<f64>| DMatrix::from_columns(&[x]);
+                let found = [
+                    (one(module.a()), module.c().transpose()),
+                    (module.A(), module.B().transpose()),
+                    (module.K(), module.N().transpose()),
+                    (module.C(), module.G()),
+                    (module.I(), module.J()),
+                    (DMatrix::from_fn(3, 3, |i, j| module.O().col(j)[i]), module.L()),
+                    (one(module.b()), one(module.g())),
+                    (DMatrix::from_element(1, 1, module.d()), one(module.h())),
+                ];
+                let times = |a: &CsMat<f64>, x: &DMatrix<f64>| {
+                    let mut all = DMatrix::zeros(a.rows(), x.ncols());
+                    for (value, (i, j)) in a {
+                        for k in 0..x.ncols() {
+                            all[(i, k)] += value * x[(j, k)];
+                        }
+                    }
+                    all
+                };
+                let (h, p, q, r) = (module.H(), module.P(), module.Q(), module.R());
+                let (pz, hz) = (times(&p, &z), times(&h, &z));
+                let (pv, qv) = (times(&p, &column), times(&q, &column));
+                let inner = &column - &qv;
+                let expected = [
+                    (pv.clone(), pv.clone()),
+                    (hz.clone(), times(&h, &y.transpose())),
+                    (&pz + 3.0 * &hz, times(&q, &y.transpose())),
+                    (z.transpose() * &hz, z.transpose() * (&pz - &hz)),
+                    (times(&h, &t), times(&q, &t)),
+                    (
+                        t.transpose() * times(&p, &t),
+                        times(&r, &t) - times(&h, &pz) * (&y * &column) * (column.transpose() * &t),
+                    ),
+                    ((&pv - 2.0 * &qv) / w, times(&h, &inner) + times(&p, &inner)),
+                    (column.transpose() * &qv, times(&r, &column)),
+                ];
+                for (found, expected) in found.iter().zip(&expected) {
+                    for (found, expected) in [(&found.0, &expected.0), (&found.1, &expected.1)] {
+                        assert_eq!(found.shape(), expected.shape());
+                        let flat = |a: &DMatrix<f64>| DVector::from_column_slice(a.as_slice());
+                        near(&flat(found), &flat(expected));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn places_from_the_host() {
         let (x, u) = (points(6, 1), points(6, 2));
         let mut module = Pairs::new(&x, &u, 0.5, Set::from(vec![])).unwrap();
         for pairs in [vec![], vec![(1, 2), (6, 3)], vec![(5, 5), (2, 1), (1, 2)]] {
             module.set_Q(Set::from(pairs)).unwrap();
             let v = DVector::from_iterator(12, u.iter().flat_map(|x| x.to_array()));
+            // the same item twice in one term is one
+            let (q, r, s) = (module.q(), module.r().transpose(), module.s());
             near(&module.p(), &times(&module.H(), &v));
+            near(&q, &times(&module.theta(), &v));
+            near(&r.column(0).into_owned(), &times(&module.A(), &v));
+            let place = DVector::from_iterator(12, x.iter().flat_map(|x| x.to_array()));
+            near(&s.column(0).into_owned(), &q);
+            near(&s.column(1).into_owned(), &times(&module.theta(), &place));
         }
         for pair in [(1, 7), (0, 1)] {
             module.set_Q(Set::from(vec![pair])).unwrap();
             assert!(module.try_p().is_err());
+            assert!(module.try_q().is_err());
+            assert!(module.try_s().is_err());
             assert!(module.try_H().is_err());
         }
     }

@@ -89,6 +89,20 @@ impl Triplets {
         }
         CsMat::new_csc((self.rows, self.columns), pointers, indices, data)
     }
+
+    /// The rows and columns in which something stands, and the matrix of these.
+    fn into_dense(self) -> (Vec<u32>, DMatrix<f64>) {
+        let mut places: Vec<u32> = Vec::with_capacity(2 * self.entries.len());
+        places.extend(self.entries.iter().flat_map(|(i, j, _)| [*i, *j]));
+        places.sort_unstable();
+        places.dedup();
+        let place = |k: u32| places.binary_search(&k).unwrap_or(0);
+        let mut dense = DMatrix::zeros(places.len(), places.len());
+        for (i, j, value) in &self.entries {
+            dense[(place(*i), place(*j))] += *value;
+        }
+        (places, dense)
+    }
 }
 
 impl Accumulate for Triplets {
@@ -120,20 +134,30 @@ pub fn add_with_eigenvalues(
     block: Triplets,
     replace: impl Fn(f64) -> f64,
 ) {
-    // the rows and columns in which something stands
-    let mut places: Vec<u32> = Vec::with_capacity(2 * block.entries.len());
-    places.extend(block.entries.iter().flat_map(|(i, j, _)| [*i, *j]));
-    places.sort_unstable();
-    places.dedup();
-    let place = |k: u32| places.binary_search(&k).unwrap_or(0);
-    let mut dense = DMatrix::zeros(places.len(), places.len());
-    for (i, j, value) in &block.entries {
-        dense[(place(*i), place(*j))] += *value;
-    }
+    let (places, dense) = block.into_dense();
     let dense = with_eigenvalues_replaced(dense, replace);
     for (j, column) in places.iter().enumerate() {
         for (i, row) in places.iter().enumerate() {
             all.add(*row as usize, *column as usize, dense[(i, j)]);
+        }
+    }
+}
+
+/// Adds the product of a symmetric block, with each of its eigenvalues replaced, and a vector or matrix of as many rows.
+pub fn add_product_with_eigenvalues(
+    all: &mut impl Accumulate,
+    block: Triplets,
+    replace: impl Fn(f64) -> f64,
+    factor: &impl Array<Item = f64>,
+) {
+    let (places, dense) = block.into_dense();
+    let dense = with_eigenvalues_replaced(dense, replace);
+    for j in 0..factor.columns() {
+        for (k, column) in places.iter().enumerate() {
+            let x = factor.entry(*column as usize, j);
+            for (i, row) in places.iter().enumerate() {
+                all.add(*row as usize, j, dense[(i, k)] * x);
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use rayon::prelude::*;
 
-use super::slots::{Chunk, Heights, MISSING, Slots};
+use super::slots::{Chunk, Heights, Jump, MISSING, Slots};
 use super::{Fallible, Fault};
 
 /// About as many numbers are evaluated before they are added: they stay in the nearest cache.
@@ -18,9 +18,20 @@ pub struct Places {
     columns: usize,
     /// Row, column and height.
     pieces: Vec<[u32; 3]>,
+    jumps: Vec<Jump>,
+    /// How many of these there were before the current round.
+    jumps_before: usize,
     parts: Vec<Vec<Chunk>>,
     values: usize,
     missing: bool,
+}
+
+/// Where a branch started.
+#[derive(Clone, Copy, Debug)]
+pub struct Branch {
+    jump: usize,
+    values: usize,
+    pieces: usize,
 }
 
 impl Places {
@@ -39,6 +50,8 @@ impl Places {
             rows,
             columns,
             pieces: Vec::new(),
+            jumps: Vec::new(),
+            jumps_before: 0,
             parts: Vec::new(),
             values: 0,
             missing: false,
@@ -71,6 +84,7 @@ impl Places {
                 let chunk = Chunk {
                     rounds: round..round + 1,
                     pieces: start..self.pieces.len(),
+                    jumps: self.jumps_before,
                     values: self.values,
                     missing: self.missing,
                 };
@@ -81,6 +95,35 @@ impl Places {
         }
         self.values = 0;
         self.missing = false;
+        self.jumps_before = self.jumps.len();
+    }
+
+    /// Starts a branch that depends on values.
+    pub fn enter(&mut self) -> Branch {
+        let branch = Branch {
+            jump: self.jumps.len(),
+            values: self.values,
+            pieces: self.pieces.len(),
+        };
+        self.jumps.push(Jump {
+            values: 0,
+            pieces: 0,
+            jumps: 0,
+        });
+        branch
+    }
+
+    /// Ends a branch: notes what is in it.
+    pub fn leave(&mut self, branch: Branch) {
+        let inside = self.jumps.len() - branch.jump - 1;
+        if let Some(jump) = self.jumps.get_mut(branch.jump) {
+            // more than that fails in the end
+            *jump = Jump {
+                values: u32::try_from(self.values - branch.values).unwrap_or(u32::MAX),
+                pieces: u32::try_from(self.pieces.len() - branch.pieces).unwrap_or(u32::MAX),
+                jumps: u32::try_from(inside).unwrap_or(u32::MAX),
+            };
+        }
     }
 
     /// The number of pieces before the current sum.
@@ -132,7 +175,14 @@ impl Places {
     /// When there are more entries than `u32` can count.
     pub fn finish(self, fault: Fault) -> Fallible<Slots> {
         let largest = MISSING as usize;
-        if self.rows >= largest || self.columns >= largest || self.pieces.len() >= largest {
+        let pieces = self.pieces.len();
+        let values = self.parts.iter().flatten().map(|chunk| chunk.values).max();
+        if self.rows >= largest
+            || self.columns >= largest
+            || pieces >= largest
+            || self.jumps.len() >= largest
+            || values.is_some_and(|n| n >= largest)
+        {
             return Err(fault);
         }
         if !self.sparse {
@@ -223,6 +273,7 @@ impl Places {
             indices,
             slots,
             heights,
+            jumps: self.jumps,
             parts: self.parts,
             scratch: Mutex::default(),
         }

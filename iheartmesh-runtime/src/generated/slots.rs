@@ -35,6 +35,8 @@ pub struct Slots {
     /// Where pieces start in the entries of the matrix.
     pub(super) slots: Vec<u32>,
     pub(super) heights: Heights,
+    /// What is passed over where branches are not taken, in the order of the loops.
+    pub(super) jumps: Vec<Jump>,
     /// One for each sum: its chunks.
     pub(super) parts: Vec<Vec<Chunk>>,
     /// Memory for the values of chunks.
@@ -48,11 +50,22 @@ pub(super) enum Heights {
     Each(Vec<u32>),
 }
 
+/// What is in a branch that depends on values.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jump {
+    pub(super) values: u32,
+    pub(super) pieces: u32,
+    /// The branches inside of it.
+    pub(super) jumps: u32,
+}
+
 /// Consecutive rounds of a loop.
 #[derive(Clone, Debug)]
 pub(super) struct Chunk {
     pub(super) rounds: Range<usize>,
     pub(super) pieces: Range<usize>,
+    /// Where its branches start.
+    pub(super) jumps: usize,
     pub(super) values: usize,
     /// Whether some of its places do not exist.
     pub(super) missing: bool,
@@ -110,6 +123,7 @@ impl Slots {
                 },
                 next: 0,
                 piece: 0,
+                jumps: self.jumps.get(chunk.jumps..).unwrap_or_default(),
             };
             values(chunk.rounds.clone(), &mut terms)
         };
@@ -215,6 +229,8 @@ pub struct Terms<'a> {
     slots: &'a [u32],
     next: usize,
     piece: usize,
+    /// The branches to come.
+    jumps: &'a [Jump],
 }
 
 impl Terms<'_> {
@@ -252,7 +268,40 @@ impl Terms<'_> {
         fault: Fault,
     ) -> Fallible<()> {
         let entries = self.room(N * N, P * N, fault)?;
-        block.write(places, part, entries);
+        let block = block.finished(places, part);
+        for (column, values) in entries.chunks_exact_mut(N.max(1)).zip(&block) {
+            column.copy_from_slice(values);
+        }
+        Ok(())
+    }
+
+    /// The product of a symmetric block with its eigenvalues replaced, and the rows of a vector or matrix at its places.
+    ///
+    /// # Errors
+    /// When its place does not exist.
+    #[inline(always)]
+    pub fn symmetric_product<const P: usize, const H: usize, const N: usize, const M: usize>(
+        &mut self,
+        block: LocalBlock<P, H, N, M>,
+        places: [usize; P],
+        part: super::Part,
+        factor: &impl Array<Item = f64>,
+        fault: Fault,
+    ) -> Fallible<()> {
+        let columns = factor.columns();
+        let values = self.room(N * columns, P * columns, fault)?;
+        let block = block.finished(places, part);
+        for (j, values) in values.chunks_exact_mut(N.max(1)).enumerate() {
+            // of parts at one place the block has only the first
+            let x: [f64; N] = std::array::from_fn(|k| factor.entry(places[k / H] * H + k % H, j));
+            let mut product = [0.0; N];
+            for (column, x) in block.iter().zip(&x) {
+                for (sum, entry) in product.iter_mut().zip(column) {
+                    *sum += entry * x;
+                }
+            }
+            values.copy_from_slice(&product);
+        }
         Ok(())
     }
 
@@ -262,6 +311,24 @@ impl Terms<'_> {
         self.values[self.next..self.next + values].fill(0.0);
         self.next += values;
         self.piece += pieces;
+    }
+
+    /// Goes into a branch whose number of values the plan knows.
+    #[inline(always)]
+    pub fn enter(&mut self) {
+        self.jumps = self.jumps.get(1..).unwrap_or_default();
+    }
+
+    /// Zeros for such a branch that is not taken.
+    #[inline(always)]
+    pub fn pass(&mut self) {
+        if let Some(jump) = self.jumps.first() {
+            self.jumps = self
+                .jumps
+                .get(1 + jump.jumps as usize..)
+                .unwrap_or_default();
+            self.skip(jump.values as usize, jump.pieces as usize);
+        }
     }
 
     /// How many values there are so far.

@@ -28,14 +28,38 @@ impl Body<'_> {
             {
                 self.is_assembled(*a)
             }
+            // a multiple of such a product
+            Kind::Binary(Binary::Multiply, _, a) => self.is_product_of_block(*a),
+            _ => self.is_product_of_block(e),
+        }
+    }
+
+    /// Whether an expression is the product of a sparse block whose eigenvalues are replaced, and a vector or dense matrix.
+    fn is_product_of_block(&self, e: ExprId) -> bool {
+        match self.kind(e) {
+            Kind::Binary(Binary::Product, block, factor) => {
+                matches!(
+                    self.kind(*block),
+                    Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, _)
+                ) && self.ty(*block).is_sparse()
+                    && !self.ty(*factor).is_sparse()
+                    && self.is_assembled(*block)
+            }
             _ => false,
         }
     }
 
     /// The sizes of a sum of blocks.
-    fn assembled_sizes(&self, e: ExprId) -> Option<Vec<ExprId>> {
+    fn assembled_sizes(&mut self, e: ExprId) -> Option<Vec<TokenStream>> {
         match self.kind(e) {
-            Kind::Assemble { sizes, .. } => Some(sizes.clone()),
+            Kind::Assemble { sizes, .. } => Some(sizes.iter().map(|s| self.owned(*s)).collect()),
+            Kind::Binary(Binary::Product, block, factor) if self.is_product_of_block(e) => {
+                let mut sizes = self.assembled_sizes(*block)?;
+                sizes.truncate(1);
+                let factor = self.reference(*factor);
+                sizes.push(quote!((rt::Array::columns(#factor) as i64)));
+                Some(sizes)
+            }
             Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => {
                 let first = self.assembled_sizes(*a);
                 first.or_else(|| self.assembled_sizes(*b))
@@ -52,7 +76,6 @@ impl Body<'_> {
         let Some(sizes) = self.assembled_sizes(e) else {
             panic!("bug in iheartmesh: blocks without a size");
         };
-        let sizes: Vec<TokenStream> = sizes.iter().map(|s| self.owned(*s)).collect();
         let rows = &sizes[0];
         let columns = sizes.get(1).cloned().unwrap_or(quote!(1i64));
         let sparse = self.ty(e).is_sparse();
@@ -73,6 +96,10 @@ impl Body<'_> {
 
     /// Statements that add an expression to `all`.
     fn assembling(&mut self, e: ExprId) -> TokenStream {
+        // zeros, which may have a name
+        if matches!(self.kind(e), Kind::Assemble { blocks, .. } if blocks.is_empty()) {
+            return TokenStream::new();
+        }
         if self.names.contains_key(&e) || !self.is_assembled(e) {
             let value = self.reference(e);
             return quote!(rt::add_all(&mut all, #value););
@@ -87,16 +114,29 @@ impl Body<'_> {
             }
             Kind::Unary(op, a) => {
                 let block = self.block_of(*a);
-                let part = match op {
-                    Unary::PositivePart => quote!(|value| value.max(0.0)),
-                    _ => quote!(f64::abs),
-                };
+                let part = replacing(*op);
                 quote!({ let block = #block; rt::add_with_eigenvalues(&mut all, block, #part); })
             }
             Kind::Binary(Binary::Multiply, k, a) => {
                 let k = self.owned(*k);
                 let block = self.block_of(*a);
                 quote!({ let (k, block) = (#k, #block); rt::add_scaled(&mut all, k, block); })
+            }
+            Kind::Binary(Binary::Product, block, factor) => {
+                let Kind::Unary(op, a) = self.kind(*block) else {
+                    panic!("bug in iheartmesh: no block");
+                };
+                let part = replacing(*op);
+                let (steps, factor) = (self.assembling(*a), self.reference(*factor));
+                quote!({
+                    let rows = rt::Accumulate::sizes(&all).0;
+                    let block = {
+                        let mut all = rt::Triplets::new(rows, rows);
+                        #steps
+                        all
+                    };
+                    rt::add_product_with_eigenvalues(&mut all, block, #part, #factor);
+                })
             }
             Kind::Binary(_, a, b) => {
                 let (a, b) = (self.assembling(*a), self.assembling(*b));
@@ -158,5 +198,13 @@ impl Body<'_> {
                 }
             })
             .collect()
+    }
+}
+
+/// What replaces an eigenvalue.
+fn replacing(op: Unary) -> TokenStream {
+    match op {
+        Unary::PositivePart => quote!(|value| value.max(0.0)),
+        _ => quote!(f64::abs),
     }
 }

@@ -12,8 +12,8 @@ use quote::{format_ident, quote};
 use super::Context;
 use super::block::{Body, Mode};
 use super::place::{Part, RegionId, Roots};
-use super::slots::{Count, SlotSum, Step, Unit, is_in_rounds};
-use crate::ir::{Binary, Block, ExprId, GlobalId, Kind, Range, Unary};
+use super::slots::{Count, SlotSum, Step, is_in_rounds};
+use crate::ir::{Binary, ExprId, GlobalId, Kind, Range};
 use crate::optimize::{Plan, reachable};
 use crate::types::Type;
 
@@ -166,6 +166,14 @@ impl Context<'_> {
                     }
                     Placed::Block(step)
                 }
+                Step::Branch(steps) => Placed::Branch(self.placed(steps, region, roots)),
+                Step::Columns { rows, columns, .. } => {
+                    for place in rows {
+                        roots.need(region, *place);
+                    }
+                    roots.need(region, *columns);
+                    Placed::Block(step)
+                }
                 Step::Loop { fold, steps } => {
                     let Kind::Fold {
                         variable,
@@ -238,6 +246,7 @@ enum Placed<'a> {
         taken: Option<(ExprId, usize)>,
         steps: Vec<Placed<'a>>,
     },
+    Branch(Vec<Placed<'a>>),
     Choice(ExprId, [(usize, Vec<Placed<'a>>); 2]),
 }
 
@@ -249,6 +258,10 @@ impl Body<'_> {
         for step in steps {
             code.extend(match step {
                 Placed::Block(step) => self.places_of_block(step),
+                Placed::Branch(steps) => {
+                    let steps = self.places_of(steps, &nothing);
+                    quote!({ let branch = places.enter(); #steps places.leave(branch); })
+                }
                 Placed::Loop {
                     fold,
                     region,
@@ -292,19 +305,35 @@ impl Body<'_> {
     }
 
     fn places_of_block(&mut self, step: &Step) -> TokenStream {
-        let Step::Block {
-            rows,
-            columns,
-            height,
-            width,
-        } = step
-        else {
-            panic!("bug in iheartmesh: no block");
+        let (rows, columns, height, width) = match step {
+            Step::Block {
+                rows,
+                columns,
+                height,
+                width,
+            } => (self.places(rows), self.places(columns), *height, *width),
+            Step::Columns {
+                rows,
+                columns,
+                height,
+            } => {
+                let (rows, columns) = (self.places(rows), self.owned(*columns));
+                let height = Literal::usize_unsuffixed(*height);
+                return quote! {
+                    for column in 0..rt::size(#columns) {
+                        places.block(
+                            (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [column])) })().ok(),
+                            #height,
+                            1,
+                        );
+                    }
+                };
+            }
+            _ => panic!("bug in iheartmesh: no block"),
         };
-        let (rows, columns) = (self.places(rows), self.places(columns));
         let (height, width) = (
-            Literal::usize_unsuffixed(*height),
-            Literal::usize_unsuffixed(*width),
+            Literal::usize_unsuffixed(height),
+            Literal::usize_unsuffixed(width),
         );
         quote! {
             places.block(
@@ -332,6 +361,9 @@ impl Body<'_> {
                 blocks.collect()
             }
             Kind::Unary(op, a) => self.symmetric(e, *op, *a, &sum.units[&e]),
+            Kind::Binary(Binary::Product, block, factor) => {
+                self.symmetric_product(e, *block, *factor, &sum.units[block])
+            }
             Kind::Binary(Binary::Multiply, k, a) => {
                 let k = self.owned(*k);
                 let steps = self.terms(*a);
@@ -349,20 +381,25 @@ impl Body<'_> {
                     None => quote!(if #condition { #then } else { #otherwise }),
                     Some(branches) => {
                         let (after, before) = (skip(branches.otherwise), skip(branches.then));
-                        quote!(if #condition { #then #after } else { #before #otherwise })
+                        let (a, b) = (enter(branches.then), enter(branches.otherwise));
+                        quote!(if #condition { #a #then #after } else { #before #b #otherwise })
                     }
                 }
             }
             Kind::Fold { body, .. } => {
                 let body = *body;
-                let otherwise = match sum.branches.get(&e) {
+                let (start, otherwise) = match sum.branches.get(&e) {
                     Some(branches) => {
                         let skip = skip(branches.then);
-                        quote!(else { #skip })
+                        (enter(branches.then), quote!(else { #skip }))
                     }
-                    None => TokenStream::new(),
+                    None => (TokenStream::new(), TokenStream::new()),
                 };
-                self.looped_or(e, |this| this.terms(body), otherwise)
+                let step = |this: &mut Self| {
+                    let terms = this.terms(body);
+                    quote!(#start #terms)
+                };
+                self.looped_or(e, step, otherwise)
             }
             other => panic!("bug in iheartmesh: no blocks in {other:?}"),
         }
@@ -374,92 +411,27 @@ impl Body<'_> {
         let steps = self.terms(value);
         quote!(#statements #steps)
     }
-
-    /// The block of one element with its eigenvalues replaced.
-    fn symmetric(&mut self, e: ExprId, op: Unary, a: ExprId, unit: &Unit) -> TokenStream {
-        let block = self.local_block(unit, a);
-        let places = self.places(&unit.places);
-        let part = match op {
-            Unary::PositivePart => quote!(rt::Part::Positive),
-            _ => quote!(rt::Part::Absolute),
-        };
-        let site = self.context.site(e);
-        quote!(terms.symmetric(#block, [#(#places),*], #part, #site)?;)
-    }
-
-    fn local_block(&mut self, unit: &Unit, e: ExprId) -> TokenStream {
-        let [parts, height, rows, less] = [
-            unit.places.len(),
-            unit.height,
-            unit.places.len() * unit.height,
-            (unit.places.len() - 1) * unit.height,
-        ]
-        .map(Literal::usize_unsuffixed);
-        let steps = self.local_terms(unit, e);
-        quote!({ let mut block = rt::LocalBlock::<#parts, #height, #rows, #less>::new(); #steps block })
-    }
-
-    /// Statements that add to `block`.
-    fn local_terms(&mut self, unit: &Unit, e: ExprId) -> TokenStream {
-        match self.kind(e) {
-            Kind::Assemble { blocks, .. } => {
-                let blocks = blocks.iter().map(|block| self.add_local(unit, block));
-                blocks.collect()
-            }
-            Kind::Binary(Binary::Multiply, k, a) => {
-                let k = self.owned(*k);
-                let inner = self.local_block(unit, *a);
-                quote!({ let (k, mut inner) = (#k, #inner); inner.scale(k); block.merge(&inner); })
-            }
-            Kind::Binary(_, a, b) => {
-                let (a, b) = (self.local_terms(unit, *a), self.local_terms(unit, *b));
-                quote!(#a #b)
-            }
-            Kind::If(condition, a, b) => {
-                let condition = self.owned(*condition);
-                let branches = [(Part::Then, *a), (Part::Else, *b)].map(|(part, value)| {
-                    let region = self.placement.part(e, part);
-                    let statements = self.statements(region, &[]);
-                    let steps = self.local_terms(unit, value);
-                    quote!({ #statements #steps })
-                });
-                let [then, otherwise] = branches;
-                quote!(if #condition #then else #otherwise)
-            }
-            other => panic!("bug in iheartmesh: no blocks in {other:?}"),
-        }
-    }
-
-    fn add_local(&mut self, unit: &Unit, block: &Block) -> TokenStream {
-        let value = self.reference(block.value);
-        let known = match block.core {
-            None => quote!(block.without_core();),
-            Some(core) => {
-                let n = self.context.fixed_shape(core).map(|(n, _)| n);
-                let n = Literal::usize_unsuffixed(n.unwrap_or(0));
-                let core = self.reference(core);
-                quote!(block.with_core::<#n>(#core);)
-            }
-        };
-        let at = |places: &[ExprId]| -> Vec<Literal> {
-            let numbers = places.iter().filter_map(|place| {
-                let mut known = unit.places.iter();
-                known.position(|p| p == place)
-            });
-            numbers.map(Literal::usize_unsuffixed).collect()
-        };
-        let (rows, columns) = (at(&block.rows), at(&block.columns));
-        quote!(block.add([#(#rows),*], [#(#columns),*], #value); #known)
-    }
 }
 
-fn skip(count: Count) -> TokenStream {
+/// Passes over a branch that is not taken.
+fn skip(count: Option<Count>) -> TokenStream {
+    let Some(Count { values, pieces }) = count else {
+        return quote!(terms.pass(););
+    };
+    if values == 0 {
+        return TokenStream::new();
+    }
     let (values, pieces) = (
-        Literal::usize_unsuffixed(count.values),
-        Literal::usize_unsuffixed(count.pieces),
+        Literal::usize_unsuffixed(values),
+        Literal::usize_unsuffixed(pieces),
     );
-    match count.values {
-        0 => TokenStream::new(),
-        _ => quote!(terms.skip(#values, #pieces);),
+    quote!(terms.skip(#values, #pieces);)
+}
+
+/// Starts a branch that is taken.
+fn enter(count: Option<Count>) -> TokenStream {
+    match count {
+        Some(_) => TokenStream::new(),
+        None => quote!(terms.enter();),
     }
 }

@@ -1,0 +1,396 @@
+//! Finds the sums of blocks whose places depend on the mesh alone, see [`super::slots`].
+
+use std::collections::BTreeSet;
+
+use super::Context;
+use super::slots::{Branches, Count, SlotSum, Step, Unit};
+use crate::ir::{Binary, ExprId, Fold, Kind, Range, Unary, VariableId};
+use crate::optimize::Plan;
+use crate::types::{Shape, Type};
+
+pub(super) struct Finder<'a> {
+    context: &'a Context<'a>,
+    plan: &'a Plan,
+    pub(super) sum: SlotSum,
+    seen: BTreeSet<ExprId>,
+    /// How many choices inside of blocks with replaced eigenvalues were met.
+    choices: usize,
+}
+
+impl<'a> Finder<'a> {
+    pub(super) fn new(context: &'a Context<'a>, plan: &'a Plan) -> Self {
+        Self {
+            context,
+            plan,
+            sum: SlotSum::default(),
+            seen: BTreeSet::new(),
+            choices: 0,
+        }
+    }
+
+    fn kind(&self, e: ExprId) -> &Kind {
+        self.context.program().arena.kind(e)
+    }
+
+    pub(super) fn terms(&mut self, e: ExprId) -> Option<()> {
+        if let Kind::Binary(Binary::Add, a, b) = self.kind(e) {
+            let (a, b) = (*a, *b);
+            self.once(e)?;
+            self.terms(a)?;
+            return self.terms(b);
+        }
+        let steps = self.steps(e, &mut Vec::new())?;
+        self.sum.terms.push((e, steps));
+        Some(())
+    }
+
+    /// What is written in two places is computed once, as a matrix; only single blocks are not.
+    fn once(&mut self, e: ExprId) -> Option<()> {
+        self.seen.insert(e).then_some(())
+    }
+
+    fn steps(&mut self, e: ExprId, bound: &mut Vec<VariableId>) -> Option<Vec<Step>> {
+        match self.kind(e).clone() {
+            Kind::Assemble { sizes, blocks } => {
+                self.sizes(&sizes)?;
+                let mut steps = Vec::new();
+                for block in &blocks {
+                    for place in block.rows.iter().chain(&block.columns) {
+                        self.steady(*place, bound)?;
+                    }
+                    let (rows, columns) = self.context.fixed_shape(block.value)?;
+                    let (height, width) = match (sizes.len(), block.columns.len()) {
+                        // column by column
+                        (1, 0) => (parts(rows * columns, block.rows.len())?, 1),
+                        (2, n) => (parts(rows, block.rows.len())?, parts(columns, n)?),
+                        _ => return None,
+                    };
+                    steps.push(Step::Block {
+                        rows: block.rows.clone(),
+                        columns: block.columns.clone(),
+                        height,
+                        width,
+                    });
+                }
+                Some(steps)
+            }
+            Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) => {
+                self.once(e)?;
+                let unit = self.unit(e, a, bound, false)?;
+                Some(vec![Step::Block {
+                    rows: unit.places.clone(),
+                    columns: unit.places,
+                    height: unit.height,
+                    width: unit.height,
+                }])
+            }
+            Kind::Binary(Binary::Product, block, factor) => {
+                self.once(e)?;
+                self.product(block, factor, bound)
+            }
+            Kind::Binary(Binary::Multiply, _, a) => {
+                self.once(e)?;
+                self.steps(a, bound)
+            }
+            Kind::Binary(Binary::Add, a, b) => {
+                self.once(e)?;
+                let mut steps = self.steps(a, bound)?;
+                steps.extend(self.steps(b, bound)?);
+                Some(steps)
+            }
+            Kind::If(condition, a, b) => {
+                self.once(e)?;
+                let (then, otherwise) = (self.steps(a, bound)?, self.steps(b, bound)?);
+                if self.is_steady(condition, bound) {
+                    return Some(vec![Step::Choice {
+                        condition,
+                        then,
+                        otherwise,
+                    }]);
+                }
+                let same = then == otherwise;
+                let branches = Branches {
+                    then: self.count(&then),
+                    otherwise: self.count(&otherwise),
+                    same,
+                };
+                self.sum.branches.insert(e, branches);
+                if same {
+                    return Some(then);
+                }
+                let mut steps = branch(then, branches.then);
+                steps.extend(branch(otherwise, branches.otherwise));
+                Some(steps)
+            }
+            Kind::Fold {
+                op: Fold::Sum,
+                variable,
+                range,
+                condition,
+                body,
+            } => {
+                self.once(e)?;
+                match range {
+                    Range::Set(set) => self.steady(set, bound)?,
+                    Range::Integers(from, to) => {
+                        self.steady(from, bound)?;
+                        self.steady(to, bound)?;
+                    }
+                    Range::Rows { .. } => {}
+                }
+                bound.push(variable);
+                let steps = self.steps(body, bound);
+                let is_steady = condition.is_none_or(|c| self.is_steady(c, bound));
+                bound.pop();
+                let mut steps = steps?;
+                if !is_steady {
+                    let then = self.count(&steps);
+                    let branches = Branches {
+                        then,
+                        otherwise: Some(Count::default()),
+                        same: false,
+                    };
+                    self.sum.branches.insert(e, branches);
+                    steps = branch(steps, then);
+                }
+                Some(vec![Step::Loop { fold: e, steps }])
+            }
+            _ => None,
+        }
+    }
+
+    fn sizes(&mut self, sizes: &[ExprId]) -> Option<()> {
+        for size in sizes {
+            self.steady(*size, &[])?;
+        }
+        if self.sum.sizes.is_empty() {
+            self.sum.sizes = sizes.to_vec();
+        }
+        (self.sum.sizes == sizes).then_some(())
+    }
+
+    /// The product of a block whose eigenvalues are replaced, and a vector or a dense matrix that has a name.
+    fn product(
+        &mut self,
+        block: ExprId,
+        factor: ExprId,
+        bound: &[VariableId],
+    ) -> Option<Vec<Step>> {
+        let Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) = *self.kind(block) else {
+            return None;
+        };
+        let Unit { places, height, .. } = self.unit(block, a, bound, true)?;
+        let arena = &self.context.program().arena;
+        let is_named = matches!(self.kind(factor), Kind::Global(_) | Kind::Input(_));
+        match (arena.ty(factor).shape()?, &self.sum.sizes[..]) {
+            _ if !is_named => None,
+            (Shape::Vector(_), [_]) => Some(vec![Step::Block {
+                rows: places,
+                columns: Vec::new(),
+                height,
+                width: 1,
+            }]),
+            (Shape::Matrix(..), [_, columns]) => Some(vec![Step::Columns {
+                rows: places,
+                columns: *columns,
+                height,
+            }]),
+            _ => None,
+        }
+    }
+
+    /// A block whose eigenvalues are replaced: all its places, each with each.
+    fn unit(
+        &mut self,
+        e: ExprId,
+        a: ExprId,
+        bound: &[VariableId],
+        is_multiplied: bool,
+    ) -> Option<Unit> {
+        let mut unit = Unit {
+            places: Vec::new(),
+            height: 0,
+            is_multiplied,
+        };
+        let before = self.choices;
+        self.local(a, bound, &mut unit)?;
+        // places are named beside the block, and must be known there: outside of branches
+        let is_known = |e: &ExprId| matches!(self.kind(*e), Kind::Column(..) | Kind::Variable(_));
+        let branches = self.choices > before;
+        if unit.places.is_empty() || branches && !unit.places.iter().all(is_known) {
+            return None;
+        }
+        self.sum.units.insert(e, unit.clone());
+        Some(unit)
+    }
+
+    fn local(&mut self, e: ExprId, bound: &[VariableId], unit: &mut Unit) -> Option<()> {
+        match self.kind(e).clone() {
+            Kind::Assemble { sizes, blocks } => {
+                if !unit.is_multiplied {
+                    self.sizes(&sizes)?;
+                }
+                for block in &blocks {
+                    let (rows, columns) = self.context.fixed_shape(block.value)?;
+                    if let Some(core) = block.core {
+                        self.context.fixed_shape(core)?;
+                    }
+                    for (size, places) in [(rows, &block.rows), (columns, &block.columns)] {
+                        let height = parts(size, places.len())?;
+                        if unit.height != 0 && unit.height != height {
+                            return None;
+                        }
+                        unit.height = height;
+                        for place in places {
+                            self.steady(*place, bound)?;
+                            if !unit.places.contains(place) {
+                                unit.places.push(*place);
+                            }
+                        }
+                    }
+                }
+                Some(())
+            }
+            Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => {
+                self.once(e)?;
+                self.choices += usize::from(matches!(self.kind(e), Kind::If(..)));
+                self.local(a, bound, unit)?;
+                self.local(b, bound, unit)
+            }
+            Kind::Binary(Binary::Multiply, _, a) => {
+                self.once(e)?;
+                self.local(a, bound, unit)
+            }
+            _ => None,
+        }
+    }
+
+    fn count(&self, steps: &[Step]) -> Option<Count> {
+        let mut all = Count::default();
+        for step in steps {
+            let count = match step {
+                Step::Block {
+                    rows,
+                    columns,
+                    height,
+                    width,
+                } => {
+                    let pieces = rows.len() * columns.len().max(1) * width;
+                    Count {
+                        values: pieces * height,
+                        pieces,
+                    }
+                }
+                Step::Columns {
+                    rows,
+                    columns,
+                    height,
+                } => {
+                    let Kind::Integer(columns) = self.kind(*columns) else {
+                        return None;
+                    };
+                    let pieces = rows.len() * usize::try_from(*columns).ok()?;
+                    Count {
+                        values: pieces * height,
+                        pieces,
+                    }
+                }
+                Step::Choice {
+                    condition,
+                    then,
+                    otherwise,
+                } => {
+                    let count = self.count(then)?;
+                    let arena = &self.context.program().arena;
+                    let may_fail = self.context.may_fail.expr(arena, *condition)
+                        || may_hold_mark(self.context, self.plan, *condition);
+                    if may_fail || self.count(otherwise)? != count {
+                        return None;
+                    }
+                    count
+                }
+                Step::Loop { .. } | Step::Branch(_) => return None,
+            };
+            all.values += count.values;
+            all.pieces += count.pieces;
+        }
+        Some(all)
+    }
+
+    fn is_steady(&mut self, e: ExprId, bound: &[VariableId]) -> bool {
+        self.steady(e, bound).is_some()
+    }
+
+    /// Whether an expression depends only on the mesh, on variables of loops, on sets, elements, integers and sizes;
+    /// what of these it depends on is noted.
+    fn steady(&mut self, e: ExprId, bound: &[VariableId]) -> Option<()> {
+        let program = self.context.program();
+        let free = &program.arena.node(e).free;
+        if !free.iter().all(|variable| bound.contains(variable)) {
+            return None;
+        }
+        let (mut keys, mut inputs) = (Vec::new(), BTreeSet::new());
+        let (mut seen, mut open) = (BTreeSet::new(), vec![e]);
+        while let Some(e) = open.pop() {
+            if !seen.insert(e) {
+                continue;
+            }
+            match program.arena.kind(e) {
+                Kind::Extent(a, _) if matches!(self.kind(*a), Kind::Input(_)) => {
+                    keys.push(e);
+                    continue;
+                }
+                Kind::Size(size) if !size.is_of_meshes() => keys.push(e),
+                Kind::Input(id) if !matches!(program.input(*id).ty, Type::Mesh(..)) => {
+                    if !is_discrete(&program.input(*id).ty) {
+                        return None;
+                    }
+                    inputs.insert(*id);
+                }
+                Kind::Global(id) if !self.context.is_static_global(*id) => return None,
+                Kind::Call(id, _) if !self.context.is_static_function(*id) => return None,
+                Kind::Field(..) | Kind::HostCall(..) => return None,
+                _ => {}
+            }
+            program.arena.kind(e).operands(|operand| open.push(operand));
+        }
+        for key in keys {
+            if !self.sum.keys.contains(&key) {
+                self.sum.keys.push(key);
+            }
+        }
+        self.sum.inputs.extend(inputs);
+        Some(())
+    }
+}
+
+/// Whether a row may hold a mark in place of something that an expression uses.
+fn may_hold_mark(context: &Context<'_>, plan: &Plan, e: ExprId) -> bool {
+    let mut found = false;
+    crate::optimize::reachable(&context.program().arena, e, &mut |kind| {
+        found |= super::block::Body::column_may_fail(plan, kind);
+    });
+    found
+}
+
+/// The steps of a branch that depends on values, where they are so many.
+fn branch(steps: Vec<Step>, count: Option<Count>) -> Vec<Step> {
+    match count {
+        Some(_) => steps,
+        None => vec![Step::Branch(steps)],
+    }
+}
+
+fn parts(size: usize, n: usize) -> Option<usize> {
+    (n > 0 && size > 0 && size.is_multiple_of(n)).then(|| size / n)
+}
+
+/// Whether values of a type are not real numbers, nor hold any.
+fn is_discrete(ty: &Type) -> bool {
+    match ty {
+        Type::Boolean | Type::Element(_) | Type::CellularSet(_) => true,
+        Type::Set(item) | Type::Sequence { item, .. } => is_discrete(item),
+        Type::Tuple(items) => items.iter().all(is_discrete),
+        _ => ty.is_integer(),
+    }
+}
