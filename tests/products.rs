@@ -90,6 +90,47 @@ programs! {
         L = R T - (H (P Z)) (Y v) (vᵀ T)
     "#;
 
+    Rows, PlainRows = r#"
+        ElementSets from MeshConnectivity
+        OrientedVertices, VertexOneRing, Vertices, Faces from Neighborhoods(M)
+        vec from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        v ∈ ℝ^(2#V)
+        w ∈ ℝ
+        u_i ∈ ℝ
+        D(f) = |[x_b - x_a  x_c - x_a]| where f ∈ F, a, b, c = OrientedVertices(f)
+        r ∈ ℝ^(#F)
+        r_f = D(f)² - w
+        c ∈ ℝ^(#F)
+        R(f) = ‖x_i‖² ‖x_j‖² where f ∈ F, i, j, k = OrientedVertices(f)
+        c_f = { D(f)³ if D(f) > w
+                R(f) if D(f) > 0
+                1 otherwise
+        q ∈ ℝ^(#E)
+        q_e = ∑_(i ∈ Vertices(e)) ∑_(j ∈ VertexOneRing(i)) ‖x_i - x_j‖²
+        m ∈ ℝ^(#V)
+        m_v = ∑_(f ∈ Faces(v)) c_f²
+        t_i = u_i² u_1
+        J = ∂r/∂x
+        C = ∂c/∂x
+        `Q` = ∂q/∂x
+        A = ∂m/∂x
+        T = ∂t/∂u
+        a = J v
+        b = Jᵀ r
+        d = rᵀ C
+        f = -(C - 2 J) v / w
+        g = `Q` v
+        h = 3 `Q`ᵀ q
+        k = A v
+        l = Aᵀ m
+        n = T t
+        o = tᵀ T
+        s = rᵀ J v
+    "#;
+
     Pairs, PlainPairs = r#"
         psd, psd_abs, vec from linearalgebra
         x_i ∈ ℝ²
@@ -260,6 +301,54 @@ for_both! {
                         near(&flat(found), &flat(expected));
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_of_vectors() {
+        for (mesh, n) in meshes() {
+            if n > 100 {
+                continue;
+            }
+            let (x, u) = (points(n, 3), vec![0.5, -2.0, 1.5]);
+            let v = DVector::from_iterator(2 * n, points(n, 4).iter().flat_map(|x| x.to_array()));
+            for w in [0.7, 0.1] {
+                let module = Rows::new(&mesh, &x, &v, w, &u).unwrap();
+                let row = |x: DMatrix<f64>| DVector::from_row_slice(x.transpose().as_slice());
+                let found = [
+                    module.a(),
+                    module.b(),
+                    row(module.d()),
+                    module.f(),
+                    module.g(),
+                    module.h(),
+                    module.k(),
+                    module.l(),
+                    module.n(),
+                    row(module.o()),
+                ];
+                let (r, q, m, t) = (module.r(), module.q(), module.m(), module.t());
+                let (j, c, a) = (module.J(), module.C(), module.A());
+                let expected = [
+                    &j * &v,
+                    j.transpose() * &r,
+                    c.transpose() * &r,
+                    -(&c - 2.0 * &j) * &v / w,
+                    module.Q() * &v,
+                    3.0 * module.Q().transpose() * q,
+                    &a * &v,
+                    a.transpose() * m,
+                    module.T() * &t,
+                    module.T().transpose() * &t,
+                ];
+                for (found, expected) in found.iter().zip(&expected) {
+                    near(found, expected);
+                }
+                near(
+                    &DVector::from_element(1, module.s()),
+                    &DVector::from_element(1, r.dot(&(&j * &v))),
+                );
             }
         }
     }

@@ -1,11 +1,11 @@
 //! The product of a vector or a dense matrix and the parts of a matrix that is put together from blocks.
 
 use super::{Finder, is_local};
-use crate::ir::{Arena, Binary, Block, ExprId, Fold, Kind, Range, Unary};
+use crate::ir::{Arena, Binary, Block, ExprId, Fold, Kind, Layout, Range, Unary};
 use crate::types::{Dimension, Shape, Type};
 
 /// Blocks with more rows or columns than this stay matrices.
-const LARGEST_BLOCK: i64 = 64;
+pub(super) const LARGEST_BLOCK: i64 = 64;
 
 /// Up to so many columns, those of a product are written one by one.
 const FEW_COLUMNS: i64 = 8;
@@ -48,6 +48,8 @@ pub(super) struct Product<'a> {
     pub(super) columns: Columns,
     /// The number of the column at hand.
     pub(super) column: Option<ExprId>,
+    /// Where the row of a matrix is at hand: its place, and how many there are.
+    pub(super) row: Option<(ExprId, ExprId)>,
     /// The product as it is written.
     pub(super) origin: ExprId,
     /// The type of the product, the factor on the right.
@@ -71,6 +73,9 @@ impl Product<'_> {
                 in_loop,
             ),
             Kind::Assemble { sizes, blocks } => {
+                if let Some(row) = self.row {
+                    return self.pieces_of_row(e, row, &sizes, &blocks, transposed, times);
+                }
                 let sizes = self.sizes(*sizes.get(usize::from(transposed))?);
                 let mut all: Vec<Block> = Vec::new();
                 let columns = match self.columns {
@@ -151,6 +156,15 @@ impl Product<'_> {
                     body,
                 };
                 Some(self.like(e, kind))
+            }
+            Kind::Tabulate {
+                layout: Layout::Rows,
+                variables,
+                sizes,
+                body,
+            } if !in_loop && self.finder.has_blocks(self.arena, body) => {
+                let row = (*variables.first()?, *sizes.first()?);
+                self.by_rows(e, row, body, transposed, times)
             }
             _ if in_loop => None,
             _ => self.plain(e, transposed, times),
@@ -303,8 +317,23 @@ impl Product<'_> {
         })
     }
 
+    /// The entry of the factor, a vector, at a place.
+    pub(super) fn entry(&mut self, place: ExprId) -> ExprId {
+        let at = match self.arena.ty(place).is_element() {
+            true => self
+                .arena
+                .add(Kind::Unary(Unary::ToInteger, place), Type::INTEGER),
+            false => place,
+        };
+        let item = self.arena.add(Kind::Component(self.factor, at), Type::REAL);
+        if let Some(span) = self.arena.origin(self.origin) {
+            self.arena.note_origin(item, span);
+        }
+        item
+    }
+
     /// The entries of the factor at places, `width` of them divided evenly, in the column at hand.
-    fn items(&mut self, places: &[ExprId], width: i64) -> Option<Vec<ExprId>> {
+    pub(super) fn items(&mut self, places: &[ExprId], width: i64) -> Option<Vec<ExprId>> {
         let count = i64::try_from(places.len()).ok().filter(|n| *n > 0)?;
         if width % count != 0 {
             return None;
@@ -350,7 +379,7 @@ impl Product<'_> {
     }
 
     /// An operation of numbers of one type.
-    fn number(&mut self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+    pub(super) fn number(&mut self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         let ty = self.arena.ty(a).clone();
         self.arena.add(Kind::Binary(op, a, b), ty)
     }
@@ -363,7 +392,7 @@ impl Product<'_> {
     }
 
     /// A part of the result, in the place of a part of the matrix.
-    fn like(&mut self, e: ExprId, kind: Kind) -> ExprId {
+    pub(super) fn like(&mut self, e: ExprId, kind: Kind) -> ExprId {
         let done = self.arena.add(kind, self.ty.clone());
         if let Some(span) = self.arena.origin(e) {
             self.arena.note_origin(done, span);

@@ -8,6 +8,8 @@
 //! H [v₁ … v_k]                     ⟶  each block once, its products with all columns
 //! ```
 //!
+//! Matrices that are known by their rows, as derivatives of vectors are, likewise: see [`rows`].
+//!
 //! Both sides are equal since products are linear; they round in another order. The loops and conditions stay those of
 //! the matrix, and so do the places, so that what fails for one fails for the other.
 //!
@@ -20,9 +22,12 @@
 use std::collections::{BTreeSet, HashMap};
 
 mod blocks;
+mod rows;
 
 use super::rewrite;
-use crate::ir::{Arena, Binary, ExprId, Fold, Global, GlobalId, Kind, Program, Unary, unproven};
+use crate::ir::{
+    Arena, Binary, ExprId, Fold, Global, GlobalId, Kind, Layout, Program, Unary, unproven,
+};
 use crate::span::Span;
 use crate::types::{Shape, Type};
 
@@ -120,7 +125,12 @@ impl Finder {
                 let value = self.values.get(id.0 as usize);
                 value.is_some_and(|e| !self.formed.contains(id) && self.has_blocks(arena, *e))
             }
-            Kind::Fold { body, .. } => self.has_blocks(arena, *body),
+            Kind::Fold { body, .. }
+            | Kind::Tabulate {
+                layout: Layout::Rows,
+                body,
+                ..
+            } => self.has_blocks(arena, *body),
             Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) => {
                 arena.ty(e).is_sparse() && is_local(arena, *a) && self.has_blocks(arena, *a)
             }
@@ -238,6 +248,7 @@ impl Pass {
             factor: named,
             columns,
             column: None,
+            row: None,
             origin: e,
             ty: ty_of_product,
         };
