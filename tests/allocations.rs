@@ -30,6 +30,9 @@ iheartmesh! {
         p = H v
         q = P v
         A = (H + P) Z
+        L ∈ ℝ^(2#V×2#V)
+        L_ij = { 1/i if i = j
+        B = H / 3 - (2 P - L)
     ";
 }
 
@@ -90,6 +93,18 @@ fn products_in_memory_that_is_at_hand() {
     module.set_v(&vectors[1]).unwrap();
     module.p_into(&mut p);
     module.q_into(&mut q);
+    let mut b = module.B();
+    let scaled = |t: f64| -> Vec<DVec2> { x.iter().map(|x| *x * t).collect() };
+    let maps = [1.0, 0.5, 2.0].map(scaled);
+    for x in &maps {
+        module.set_x(x).unwrap();
+        let (_, _) = (module.H(), module.P());
+        let found = measure(|| module.B_into(&mut b));
+        assert_eq!(found.count_total, 0);
+        let fresh = Products::new(&mesh, x, &vectors[0], &matrices[0]).unwrap();
+        assert_eq!(b, fresh.B());
+    }
+    module.set_x(&x).unwrap();
     for (v, z) in vectors.iter().zip(&matrices) {
         module.set_Z(z).unwrap();
         let found = measure(|| {

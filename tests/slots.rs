@@ -10,7 +10,7 @@ mod twice;
 use std::collections::BTreeMap;
 
 use iheartmesh::glam::DVec2;
-use iheartmesh::{FaceMesh, Set, sprs::CsMat};
+use iheartmesh::{Face, FaceMesh, Set, sprs::CsMat};
 use nalgebra::{DMatrix, DVector};
 
 programs! {
@@ -35,6 +35,37 @@ programs! {
         A = ∑_(f ∈ F) psd_abs(∂²S(f)/∂x²)
         R = ∑_(i ∈ V) psd(∂²r(i)/∂x²)
         B = 3 H
+    "#;
+
+    Sums, PlainSums = r#"
+        ElementSets from MeshConnectivity
+        OrientedVertices, VertexOneRing, Vertices from Neighborhoods(M)
+        psd, psd_abs, tr from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        w ∈ ℝ
+        U ⊂ F
+        D(f) = |[x_b - x_a  x_c - x_a]| where f ∈ F, a, b, c = OrientedVertices(f)
+        S(f) = { (D(f) - w)² if D(f) > ½
+                 0 otherwise where f ∈ F
+        l(k) = (‖x_i - x_j‖² - w)² where k ∈ E, i, j = Vertices(k)
+        e = ∑_(f ∈ U) S(f)
+        H = ∂²e/∂x²
+        B = 3 H
+        C = -(2 ∑_(f ∈ F) psd(∂²S(f)/∂x²)) / w
+        A = ∑_(f ∈ F) psd(∂²S(f)/∂x²) - ½ (∑_(k ∈ E) psd_abs(∂²l(k)/∂x²) / w - H) + B
+        L ∈ ℝ^(2#V×2#V)
+        L_ij = { 1/i if i = j
+        N = -(w L) + ∑_(f ∈ U) (psd(∂²S(f)/∂x²) - 2 psd_abs(∂²S(f)/∂x²) / w) - I_(2#V) / w
+        O = { ∑_(f ∈ F) psd(∂²S(f)/∂x²) if w > 1
+              ∑_(k ∈ E) psd(∂²l(k)/∂x²) otherwise
+        R ∈ ℝ^(2#V×2#V)
+        R_ij = { (w² + 100)/i if i = j
+        T = R + 2 ∑_(f ∈ F) psd(∂²S(f)/∂x²) - R
+        t = tr(∂²e/∂x²)
+        d = (∑_(f ∈ F) psd(∂²S(f)/∂x²) + R) \ (∂e/∂x)
+        q = -(∂e/∂x) / 2 - 3 ∂(∑_(k ∈ E) l(k))/∂x
     "#;
 
     Pairs, PlainPairs = r#"
@@ -136,6 +167,44 @@ fn with_and_without_planned_places() {
             ] {
                 near(&dense(&a), &dense(&b));
                 near(&dense(&a), &dense(&a).transpose());
+            }
+        }
+    }
+}
+
+#[test]
+fn sums_of_several_parts() {
+    for (mesh, x) in meshes() {
+        let faces: Vec<Face> = mesh.faces().collect();
+        let mut planned = optimized::Sums::new(&mesh, &x, 2.0, Set::from(faces.clone())).unwrap();
+        let mut known = planned.A();
+        for (w, some) in [(0.3, 1), (2.0, 2), (2.0, 1), (100.0, 5)] {
+            let some: Set<Face> = faces.iter().step_by(some).copied().collect();
+            planned.set_w(w).unwrap();
+            planned.set_U(some.clone()).unwrap();
+            let plain = plain::Sums::new(&mesh, &x, w, some).unwrap();
+            planned.A_into(&mut known);
+            assert_eq!(known, planned.A());
+            for (a, b) in [
+                (planned.A(), plain.A()),
+                (planned.B(), plain.B()),
+                (planned.C(), plain.C()),
+                (planned.N(), plain.N()),
+                (planned.O(), plain.O()),
+                (planned.T(), plain.T()),
+            ] {
+                near(&dense(&a), &dense(&b));
+            }
+            // by what they are sums of
+            let (h, p) = (dense(&planned.H()), dense(&planned.C()));
+            near(&dense(&planned.B()), &(3.0 * &h));
+            let l = DVector::from_fn(2 * x.len(), |k, _| 1.0 / (k + 1) as f64);
+            near(&dense(&planned.L()), &DMatrix::from_diagonal(&l));
+            near(&p, &p.transpose());
+            near(&dense(&planned.T()), &(-w * &p));
+            assert!((planned.t() - h.trace()).abs() < 1e-12 * h.amax().max(1.0));
+            for (a, b) in [(planned.q(), plain.q()), (planned.d(), plain.d())] {
+                assert!((&a - &b).amax() < 1e-9 * b.amax().max(1.0));
             }
         }
     }

@@ -15,6 +15,7 @@ pub use locals::is_read_from_row;
 mod nonzeros;
 pub mod operations;
 mod orbits;
+mod parts;
 mod plan;
 mod products;
 pub use plan::{MayFail, is_within, may_overflow};
@@ -294,6 +295,9 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
         share::run(&mut program);
         binders::run(&mut program);
         sums::run(&mut program);
+    }
+    if optimizations.slots {
+        parts::run(&mut program);
     }
     cores::run(&mut program);
     debug_assert_eq!(crate::ir::validate::validate(&program), Ok(()));

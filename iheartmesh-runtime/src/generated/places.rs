@@ -3,8 +3,9 @@
 use std::sync::Mutex;
 
 use rayon::prelude::*;
+use sprs::CsMat;
 
-use super::slots::{Chunk, Heights, Jump, MISSING, Slots};
+use super::slots::{Chunk, Heights, Jump, MISSING, Slots, Whole};
 use super::{Fallible, Fault};
 
 /// About as many numbers are evaluated before they are added: they stay in the nearest cache.
@@ -18,6 +19,8 @@ pub struct Places {
     columns: usize,
     /// Row, column and height.
     pieces: Vec<[u32; 3]>,
+    /// Of matrices that are added whole: row and column of each entry, and the entries if they are kept.
+    wholes: Vec<(Vec<[u32; 2]>, Vec<f64>)>,
     jumps: Vec<Jump>,
     /// How many of these there were before the current round.
     jumps_before: usize,
@@ -50,6 +53,7 @@ impl Places {
             rows,
             columns,
             pieces: Vec::new(),
+            wholes: Vec::new(),
             jumps: Vec::new(),
             jumps_before: 0,
             parts: Vec::new(),
@@ -96,6 +100,23 @@ impl Places {
         self.values = 0;
         self.missing = false;
         self.jumps_before = self.jumps.len();
+    }
+
+    /// A sparse matrix of a pattern that is added whole.
+    pub fn pattern(&mut self, slots: &Slots) {
+        let mut places = Vec::with_capacity(slots.entries);
+        for (column, range) in slots.pointers.windows(2).enumerate() {
+            let rows = slots.indices.get(range[0]..range[1]).unwrap_or_default();
+            places.extend(rows.iter().map(|row| [*row as u32, column as u32]));
+        }
+        self.wholes.push((places, Vec::new()));
+    }
+
+    /// A sparse matrix that is added whole, and does not depend on values.
+    pub fn matrix(&mut self, matrix: &CsMat<f64>) {
+        let entries = matrix.iter();
+        let entries = entries.map(|(value, (row, column))| ([row as u32, column as u32], *value));
+        self.wholes.push(entries.unzip());
     }
 
     /// Starts a branch that depends on values.
@@ -196,12 +217,15 @@ impl Places {
                 row => column * rows + row,
             };
             let slots = self.pieces.iter().map(slot).collect();
-            return Ok(self.with_slots(slots, entries, Vec::new(), Vec::new()));
+            return Ok(self.with_slots(slots, Vec::new(), entries, Vec::new(), Vec::new()));
         }
         let there = |piece: &&[u32; 3]| piece[0] != MISSING;
         let mut starts = vec![0usize; self.columns + 1];
         for [_, column, height] in self.pieces.iter().filter(there) {
             starts[*column as usize + 1] += *height as usize;
+        }
+        for [_, column] in self.wholes.iter().flat_map(|(places, _)| places) {
+            starts[*column as usize + 1] += 1;
         }
         for k in 0..self.columns {
             starts[k + 1] += starts[k];
@@ -214,6 +238,11 @@ impl Places {
                 found[*place] = row + k;
                 *place += 1;
             }
+        }
+        for [row, column] in self.wholes.iter().flat_map(|(places, _)| places) {
+            let place = &mut next[*column as usize];
+            found[*place] = *row;
+            *place += 1;
         }
         let mut columns = Vec::with_capacity(self.columns);
         let mut rest = found.as_mut_slice();
@@ -241,21 +270,31 @@ impl Places {
         if indices.len() >= largest {
             return Err(fault);
         }
-        let slot = |[row, column, _]: &[u32; 3]| -> u32 {
-            let (start, end) = (pointers[*column as usize], pointers[*column as usize + 1]);
-            match indices[start..end].binary_search(&(*row as usize)) {
+        let slot = |row: u32, column: u32| -> u32 {
+            let (start, end) = (pointers[column as usize], pointers[column as usize + 1]);
+            match indices[start..end].binary_search(&(row as usize)) {
                 Ok(k) => (start + k) as u32,
                 Err(_) => MISSING,
             }
         };
-        let slots: Vec<u32> = self.pieces.par_iter().map(slot).collect();
+        let slots = self.pieces.par_iter();
+        let slots = slots.map(|[row, column, _]| slot(*row, *column)).collect();
+        let wholes = self.wholes.iter().map(|(places, values)| Whole {
+            slots: places
+                .iter()
+                .map(|[row, column]| slot(*row, *column))
+                .collect(),
+            values: values.clone(),
+        });
+        let wholes = wholes.collect();
         let entries = indices.len();
-        Ok(self.with_slots(slots, entries, pointers, indices))
+        Ok(self.with_slots(slots, wholes, entries, pointers, indices))
     }
 
     fn with_slots(
         self,
         slots: Vec<u32>,
+        wholes: Vec<Whole>,
         entries: usize,
         pointers: Vec<usize>,
         indices: Vec<usize>,
@@ -273,6 +312,7 @@ impl Places {
             indices,
             slots,
             heights,
+            wholes,
             jumps: self.jumps,
             parts: self.parts,
             scratch: Mutex::default(),

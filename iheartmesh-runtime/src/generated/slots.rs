@@ -37,6 +37,8 @@ pub struct Slots {
     pub(super) heights: Heights,
     /// What is passed over where branches are not taken, in the order of the loops.
     pub(super) jumps: Vec<Jump>,
+    /// Matrices that are added whole.
+    pub(super) wholes: Vec<Whole>,
     /// One for each sum: its chunks.
     pub(super) parts: Vec<Vec<Chunk>>,
     /// Memory for the values of chunks.
@@ -48,6 +50,15 @@ pub struct Slots {
 pub(super) enum Heights {
     All(usize),
     Each(Vec<u32>),
+}
+
+/// A sparse matrix that is added whole.
+#[derive(Debug, Default)]
+pub(super) struct Whole {
+    /// Where its entries go.
+    pub(super) slots: Vec<u32>,
+    /// Its entries, where they do not depend on values.
+    pub(super) values: Vec<f64>,
 }
 
 /// What is in a branch that depends on values.
@@ -160,6 +171,25 @@ impl Slots {
         };
         *self.memory() = memory;
         done
+    }
+
+    /// Adds a multiple of a matrix that is added whole, by its number and its entries in the order of its pattern.
+    pub fn add_entries(&self, whole: usize, data: &mut [f64], factor: f64, entries: &[f64]) {
+        let Some(whole) = self.wholes.get(whole) else {
+            return;
+        };
+        for (slot, value) in whole.slots.iter().zip(entries) {
+            if let Some(entry) = data.get_mut(*slot as usize) {
+                *entry += factor * value;
+            }
+        }
+    }
+
+    /// The same of a matrix whose entries are kept here.
+    pub fn add_kept(&self, whole: usize, data: &mut [f64], factor: f64) {
+        if let Some(Whole { values, .. }) = self.wholes.get(whole) {
+            self.add_entries(whole, data, factor, values);
+        }
     }
 
     fn memory(&self) -> std::sync::MutexGuard<'_, Vec<Vec<f64>>> {
@@ -342,6 +372,14 @@ impl Terms<'_> {
     pub fn scale(&mut self, from: usize, factor: f64) {
         for value in &mut self.values[from..self.next] {
             *value *= factor;
+        }
+    }
+
+    /// Divides all values from a position on.
+    #[inline(always)]
+    pub fn divide(&mut self, from: usize, divisor: f64) {
+        for value in &mut self.values[from..self.next] {
+            *value /= divisor;
         }
     }
 

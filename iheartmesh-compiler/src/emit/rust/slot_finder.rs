@@ -1,16 +1,18 @@
 //! Finds the sums of blocks whose places depend on the mesh alone, see [`super::slots`].
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
-use super::slots::{Branches, Count, SlotSum, Step, Unit};
-use crate::ir::{Binary, ExprId, Fold, Kind, Range, Unary, VariableId};
-use crate::optimize::Plan;
+use super::slots::{Branches, Count, Parts, Scale, SlotSum, Step, Term, Unit};
+use crate::ir::{Binary, ExprId, Fold, GlobalId, Kind, Range, Unary, VariableId, unproven};
+use crate::optimize::{Plan, reachable};
 use crate::types::{Shape, Type};
 
 pub(super) struct Finder<'a> {
     context: &'a Context<'a>,
     plan: &'a Plan,
+    /// Those of earlier definitions.
+    others: &'a BTreeMap<GlobalId, SlotSum>,
     pub(super) sum: SlotSum,
     seen: BTreeSet<ExprId>,
     /// How many choices inside of blocks with replaced eigenvalues were met.
@@ -18,10 +20,15 @@ pub(super) struct Finder<'a> {
 }
 
 impl<'a> Finder<'a> {
-    pub(super) fn new(context: &'a Context<'a>, plan: &'a Plan) -> Self {
+    pub(super) fn new(
+        context: &'a Context<'a>,
+        plan: &'a Plan,
+        others: &'a BTreeMap<GlobalId, SlotSum>,
+    ) -> Self {
         Self {
             context,
             plan,
+            others,
             sum: SlotSum::default(),
             seen: BTreeSet::new(),
             choices: 0,
@@ -32,16 +39,71 @@ impl<'a> Finder<'a> {
         self.context.program().arena.kind(e)
     }
 
-    pub(super) fn terms(&mut self, e: ExprId) -> Option<()> {
-        if let Kind::Binary(Binary::Add, a, b) = self.kind(e) {
-            let (a, b) = (*a, *b);
-            self.once(e)?;
-            self.terms(a)?;
-            return self.terms(b);
+    /// The terms of a sum; all of them are scaled by what stands around it.
+    pub(super) fn terms(&mut self, e: ExprId, scales: &mut Vec<Scale>) -> Option<()> {
+        let inner = match *self.kind(e) {
+            Kind::Binary(op @ (Binary::Add | Binary::Subtract), a, b) => {
+                self.once(e)?;
+                if !unproven(&self.context.program().arena, e).is_empty() {
+                    return None;
+                }
+                self.terms(a, scales)?;
+                if op == Binary::Add {
+                    return self.terms(b, scales);
+                }
+                Some((Scale::Negated, b))
+            }
+            Kind::Unary(Unary::Negate, a) => Some((Scale::Negated, a)),
+            Kind::Binary(Binary::Multiply, k, a) => Some((Scale::Times(k), a)),
+            Kind::Binary(Binary::Divide, a, k) => Some((Scale::Over(k), a)),
+            _ => None,
+        };
+        if let Some((scale, inner)) = inner {
+            scales.push(scale);
+            let done = self.terms(inner, scales);
+            scales.pop();
+            return done;
         }
-        let steps = self.steps(e, &mut Vec::new())?;
-        self.sum.terms.push((e, steps));
+        let parts = match self.whole(e) {
+            Some(parts) => parts,
+            None => Parts::Blocks(self.steps(e, &mut Vec::new())?),
+        };
+        self.sum.terms.push(Term {
+            value: e,
+            scales: scales.clone(),
+            parts,
+        });
         Some(())
+    }
+
+    /// A sparse matrix that is at hand, and whose pattern does not depend on values.
+    fn whole(&mut self, e: ExprId) -> Option<Parts> {
+        if !self.context.program().arena.ty(e).is_sparse() {
+            return None;
+        }
+        if let Kind::Global(id) = self.kind(e)
+            && let Some(other) = self.others.get(id)
+        {
+            let id = *id;
+            for key in &other.keys {
+                if !self.sum.keys.contains(key) {
+                    self.sum.keys.push(*key);
+                }
+            }
+            for size in &other.sizes {
+                self.steady(*size, &[])?;
+            }
+            self.sum.inputs.extend(&other.inputs);
+            if self.sum.sizes.is_empty() {
+                self.sum.sizes.clone_from(&other.sizes);
+            }
+            return Some(Parts::Definition(id));
+        }
+        let mut has_blocks = false;
+        reachable(&self.context.program().arena, e, &mut |kind| {
+            has_blocks |= matches!(kind, Kind::Assemble { .. });
+        });
+        (!has_blocks && self.is_steady(e, &[])).then_some(Parts::Steady)
     }
 
     /// What is written in two places is computed once, as a matrix; only single blocks are not.
@@ -88,11 +150,13 @@ impl<'a> Finder<'a> {
                 self.once(e)?;
                 self.product(block, factor, bound)
             }
-            Kind::Binary(Binary::Multiply, _, a) => {
+            Kind::Binary(Binary::Multiply, _, a)
+            | Kind::Binary(Binary::Divide, a, _)
+            | Kind::Unary(Unary::Negate, a) => {
                 self.once(e)?;
                 self.steps(a, bound)
             }
-            Kind::Binary(Binary::Add, a, b) => {
+            Kind::Binary(Binary::Add | Binary::Subtract, a, b) => {
                 self.once(e)?;
                 let mut steps = self.steps(a, bound)?;
                 steps.extend(self.steps(b, bound)?);

@@ -12,8 +12,8 @@ use quote::{format_ident, quote};
 use super::Context;
 use super::block::{Body, Mode};
 use super::place::{Part, RegionId, Roots};
-use super::slots::{Count, SlotSum, Step, is_in_rounds};
-use crate::ir::{Binary, ExprId, GlobalId, Kind, Range};
+use super::slots::{Count, Parts, SlotSum, Step, Term, is_in_rounds};
+use crate::ir::{Binary, ExprId, GlobalId, Kind, Range, Unary};
 use crate::optimize::{Plan, reachable};
 use crate::types::Type;
 
@@ -65,6 +65,9 @@ impl Context<'_> {
         );
         let places = self.places_of(id, sum, &staged.plan);
         let prelude = self.prelude(&[staged.body]);
+        let mut needed: Vec<ExprId> = sum.sizes_and_keys().collect();
+        needed.push(staged.body);
+        let before_places = self.prelude(&needed);
         let known = self.known_before(staged.body);
         let mut roots = Roots::default();
         let region = roots.region(None, None);
@@ -72,26 +75,24 @@ impl Context<'_> {
         let mut body = Body::new(self, Mode::Dynamic, &staged.plan, &roots);
         body.slots = Some(sum);
         let statements = body.statements(RegionId(region), &[staged.body]);
-        let terms: TokenStream = sum
-            .terms
-            .iter()
-            .enumerate()
-            .map(|(k, (term, _))| {
-                let k = Literal::usize_unsuffixed(k);
-                if is_in_rounds(self, &staged.plan, *term)
-                    && let Kind::Fold { variable, .. } = self.program().arena.kind(*term)
-                {
-                    body.rounds = Some(*variable);
+        let (mut blocks, mut wholes) = (0usize, 0usize);
+        let mut terms = TokenStream::new();
+        for term in &sum.terms {
+            terms.extend(match &term.parts {
+                Parts::Blocks(_) => {
+                    blocks += 1;
+                    body.add_blocks(term, blocks - 1)
                 }
-                let steps = body.terms(*term);
-                body.rounds = None;
-                quote!(slots.add(#k, data, |range, terms| { #steps ::std::result::Result::Ok(()) })?;)
-            })
-            .collect();
+                whole => {
+                    wholes += 1;
+                    body.add_whole(term, whole, wholes - 1)
+                }
+            });
+        }
         let into = self.function_into(id);
         quote! {
             #into
-            pub fn #slots(s: &State<'_>) -> rt::Fallible<::std::sync::Arc<rt::Slots>> { #prelude #places }
+            pub fn #slots(s: &State<'_>) -> rt::Fallible<::std::sync::Arc<rt::Slots>> { #before_places #places }
             pub fn #fill(s: &State<'_>, slots: &rt::Slots, data: &mut [f64]) -> rt::Fallible<()> {
                 #known
                 #prelude
@@ -109,27 +110,51 @@ impl Context<'_> {
         for size in sum.sizes_and_keys() {
             roots.need(outside, size);
         }
-        let terms: Vec<(ExprId, Vec<Placed<'_>>)> = sum
+        // done only where there are no slots yet
+        let inside = roots.region(Some(outside), None);
+        let terms: Vec<(&Term, Vec<Placed<'_>>)> = sum
             .terms
             .iter()
-            .map(|(term, steps)| (*term, self.placed(steps, outside, &mut roots)))
+            .map(|term| {
+                let placed = match &term.parts {
+                    Parts::Blocks(steps) => self.placed(steps, inside, &mut roots),
+                    Parts::Definition(_) => Vec::new(),
+                    Parts::Steady => {
+                        roots.need(inside, term.value);
+                        Vec::new()
+                    }
+                };
+                (term, placed)
+            })
             .collect();
         let mut body = Body::new(self, Mode::Build, plan, &roots);
         let statements = body.statements(RegionId(outside), &[]);
         let sizes: Vec<TokenStream> = sum.sizes_and_keys().map(|e| body.owned(e)).collect();
+        let before = body.statements(RegionId(inside), &[]);
         let columns = match sum.sizes.len() {
             1 => quote!(1),
             _ => quote!(rt::size(all[1])),
         };
-        let places = match self.program().arena.ty(sum.terms[0].0).is_sparse() {
+        let places = match self.program().arena.ty(sum.terms[0].value).is_sparse() {
             true => quote!(sparse),
             false => quote!(dense),
         };
         let terms: TokenStream = terms
             .iter()
             .map(|(term, steps)| {
+                match term.parts {
+                    Parts::Blocks(_) => {}
+                    Parts::Definition(id) => {
+                        let slots = format_ident!("slots_{}", self.global_name(id));
+                        return quote!(places.pattern(&*#slots(s)?););
+                    }
+                    Parts::Steady => {
+                        let value = body.reference(term.value);
+                        return quote!(places.matrix(#value););
+                    }
+                }
                 let end = quote!(places.end_round(););
-                let rounds = is_in_rounds(self, plan, *term);
+                let rounds = is_in_rounds(self, plan, term.value);
                 let (inside, after) = match rounds {
                     true => (end, TokenStream::new()),
                     false => (TokenStream::new(), end),
@@ -147,6 +172,7 @@ impl Context<'_> {
             #statements
             let all = [#(#sizes),*];
             s.#field.get(all, || {
+                #before
                 let mut places = rt::Places::#places(rt::size(all[0]), #columns);
                 #terms
                 places.finish(#site)
@@ -345,7 +371,7 @@ impl Body<'_> {
     }
 
     /// Statements that hand the values of a sum to `terms`.
-    fn terms(&mut self, e: ExprId) -> TokenStream {
+    pub(super) fn terms(&mut self, e: ExprId) -> TokenStream {
         let Some(sum) = self.slots else {
             panic!("bug in iheartmesh: no planned sum");
         };
@@ -360,6 +386,10 @@ impl Body<'_> {
                 });
                 blocks.collect()
             }
+            Kind::Unary(Unary::Negate, a) => {
+                let steps = self.terms(*a);
+                quote!({ let from = terms.position(); #steps terms.scale(from, -1.0); })
+            }
             Kind::Unary(op, a) => self.symmetric(e, *op, *a, &sum.units[&e]),
             Kind::Binary(Binary::Product, block, factor) => {
                 self.symmetric_product(e, *block, *factor, &sum.units[block])
@@ -368,6 +398,15 @@ impl Body<'_> {
                 let k = self.owned(*k);
                 let steps = self.terms(*a);
                 quote!({ let (k, from) = (#k, terms.position()); #steps terms.scale(from, k); })
+            }
+            Kind::Binary(Binary::Divide, a, k) => {
+                let k = self.owned(*k);
+                let steps = self.terms(*a);
+                quote!({ let (k, from) = (#k, terms.position()); #steps terms.divide(from, k); })
+            }
+            Kind::Binary(Binary::Subtract, a, b) => {
+                let (a, b) = (self.terms(*a), self.terms(*b));
+                quote!(#a { let from = terms.position(); #b terms.scale(from, -1.0); })
             }
             Kind::Binary(_, a, b) => {
                 let (a, b) = (self.terms(*a), self.terms(*b));

@@ -72,11 +72,38 @@ pub(super) struct Unit {
     pub(super) is_multiplied: bool,
 }
 
+/// What a term of a sum is multiplied or divided by, outside of its loops.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Scale {
+    Negated,
+    Times(ExprId),
+    Over(ExprId),
+}
+
+/// What a term of a sum is made of.
+#[derive(Clone, Debug)]
+pub(super) enum Parts {
+    /// Blocks, with what gives their places.
+    Blocks(Vec<Step>),
+    /// Another definition that is a sum with planned places.
+    Definition(GlobalId),
+    /// A sparse matrix that depends on the mesh, on sets, elements, integers and sizes alone: it is kept with the places.
+    Steady,
+}
+
+/// A term of a sum.
+#[derive(Clone, Debug)]
+pub(super) struct Term {
+    pub(super) value: ExprId,
+    /// From the outside to the inside.
+    pub(super) scales: Vec<Scale>,
+    pub(super) parts: Parts,
+}
+
 /// A sum of blocks with planned places.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SlotSum {
-    /// Its terms, with what gives their places.
-    pub(super) terms: Vec<(ExprId, Vec<Step>)>,
+    pub(super) terms: Vec<Term>,
     /// Its numbers of rows and columns.
     pub(super) sizes: Vec<ExprId>,
     /// What its loops and places depend on besides the mesh: sizes.
@@ -109,9 +136,11 @@ impl Context<'_> {
             if !is_of_any_size(arena.ty(staged.body)) {
                 continue;
             }
-            let mut finder = Finder::new(self, &staged.plan);
-            if finder.terms(staged.body).is_some() && !finder.sum.sizes.is_empty() {
-                found.insert(*id, finder.sum);
+            let mut finder = Finder::new(self, &staged.plan, &found);
+            if finder.terms(staged.body, &mut Vec::new()).is_some() && !finder.sum.sizes.is_empty()
+            {
+                let sum = finder.sum;
+                found.insert(*id, sum);
             }
         }
         found
