@@ -8,7 +8,7 @@
 //! - its places, loops or the sizes of its blocks depend on values other than sets, elements and integers,
 //! - a loop stands inside of `psd`,
 //! - a block inside of `psd` is in parts of several heights,
-//! - a part of the sum is no block: a matrix that is at hand.
+//! - a part of the sum is no block, but a matrix at hand whose pattern may depend on values.
 
 use std::collections::{BTreeMap, BTreeSet};
 
