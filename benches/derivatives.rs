@@ -28,8 +28,10 @@ use measure::{Contestant, Effort, contest, contestant};
 use rayon::ThreadPoolBuilder;
 
 iheartmesh! {
+    #[together(e, g, H)]
     pub struct Triangles = include "benches/derivatives/triangles.hlang";
     pub struct FromRest = include "tests/programs/symmetric_dirichlet.hlang";
+    #[together(e, g, H)]
     pub struct Cells = include "benches/derivatives/tetrahedra.hlang";
 }
 
@@ -94,7 +96,8 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
             "Hessian by hand",
             "`H`",
             "`H_into`",
-            "`e`, `g`, `H`",
+            "`e`, `g_into`, `H_into`",
+            "`e_g_H_into`",
             "dual numbers",
             "psd by hand",
             "`P`",
@@ -106,9 +109,10 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let mut second = program();
                 let mut third = program();
                 let mut fourth = program();
-                let (mut fifth, mut sixth) = (program(), program());
+                let (mut fifth, mut sixth, mut seventh) = (program(), program(), program());
                 let (mut second_at_hand, mut all_at_hand) = (fifth.H(), sixth.H());
                 let mut slope_at_hand = sixth.g();
+                let (_, mut slope_together, mut second_together) = seventh.e_g_H();
                 let (mut h, mut d, mut p) = (values.clone(), values.clone(), values.clone());
                 let mut runs: Vec<Contestant<'_>> = vec![
                     contestant(|| by_hand::energy(elements, x)),
@@ -135,6 +139,10 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                         sixth.g_into(&mut slope_at_hand);
                         sixth.H_into(&mut all_at_hand);
                         sixth.e()
+                    }),
+                    contestant(|| {
+                        seventh.set_x(x).expect("as many as before");
+                        seventh.e_g_H_into(&mut slope_together, &mut second_together)
                     }),
                     contestant(|| dual::hessian(elements, &pattern, x, &mut d)),
                     contestant(|| by_hand::hessian(elements, &pattern, x, true, &mut p)),
@@ -169,7 +177,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let times = contest(effort, &mut runs);
                 let per = |k: usize| times[k].as_secs_f64() * 1e9 / count as f64;
                 println!(
-                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | | | {:.0} |",
+                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | | | | {:.0} |",
                     per(0), per(1), per(2), per(3)
                 );
             });
@@ -212,7 +220,8 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             "Hessian by hand",
             "`H`",
             "`H_into`",
-            "`e`, `g`, `H`",
+            "`e`, `g_into`, `H_into`",
+            "`e_g_H_into`",
             "dual numbers",
             "`P`",
         ]);
@@ -220,10 +229,11 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();
             pool.expect("threads can be started").install(|| {
                 let mut slope = slope.clone();
-                let mut modules: [_; 6] = std::array::from_fn(|_| program());
-                let [a, b, c, d, into, together] = &mut modules;
-                let (mut second_at_hand, mut all_at_hand) = (into.H(), together.H());
-                let mut slope_at_hand = together.g();
+                let mut modules: [_; 7] = std::array::from_fn(|_| program());
+                let [a, b, c, d, into, each, together] = &mut modules;
+                let (mut second_at_hand, mut all_at_hand) = (into.H(), each.H());
+                let mut slope_at_hand = each.g();
+                let (_, mut slope_together, mut second_together) = together.e_g_H();
                 let (mut h, mut duals) = (values.clone(), values.clone());
                 let mut runs: Vec<Contestant<'_>> = vec![
                     contestant(|| by_hand::energy_of_cells(elements, x)),
@@ -246,10 +256,14 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
                         into.H_into(&mut second_at_hand);
                     }),
                     contestant(|| {
+                        each.set_x(x).expect("as many as before");
+                        each.g_into(&mut slope_at_hand);
+                        each.H_into(&mut all_at_hand);
+                        each.e()
+                    }),
+                    contestant(|| {
                         together.set_x(x).expect("as many as before");
-                        together.g_into(&mut slope_at_hand);
-                        together.H_into(&mut all_at_hand);
-                        together.e()
+                        together.e_g_H_into(&mut slope_together, &mut second_together)
                     }),
                     contestant(|| dual::hessian_of_cells(elements, &pattern, x, &mut duals)),
                     contestant(|| {

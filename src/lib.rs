@@ -87,6 +87,13 @@ pub use iheartmesh_solve::{
 ///
 /// Each item ends with `;`, and a call may hold any number of them.
 ///
+/// # Attributes
+///
+/// - `#[together(e, g, H)]` adds the methods `e_g_H` and `e_g_H_into`, which compute several definitions at once, in one pass
+///   over the elements where their sums have the same range: an energy with its derivatives.
+/// - `#[without(plan)]` leaves out an optimisation, `#[without(all)]` all of them, to compare.
+/// - All others are attributes of the struct.
+///
 /// # Modules that import modules
 ///
 /// `Faces from Neighborhoods(M)` in a source imports from another module. It may be

@@ -10,6 +10,8 @@ use iheartmesh::{FaceMesh, iheartmesh};
 use nalgebra::{DMatrix, DVector};
 
 iheartmesh! {
+    #[together(e, g, H)]
+    #[together(P, g)]
     struct Dirichlet = include "tests/programs/symmetric_dirichlet.hlang";
 
     struct Products = "
@@ -70,6 +72,25 @@ fn values_in_memory_that_is_at_hand() {
         assert_eq!(h, fresh.H());
         assert_eq!(p, fresh.P());
         assert_eq!(g, fresh.g());
+    }
+    // asked together
+    module.set_x(&maps[1]).unwrap();
+    module.e_g_H_into(&mut g, &mut h);
+    module.set_x(&maps[1]).unwrap();
+    module.P_g_into(&mut p, &mut g);
+    for x in &maps {
+        let mut energy = 0.0;
+        let found = measure(|| {
+            module.set_x(x).unwrap();
+            module.P_g_into(&mut p, &mut g);
+            energy = module.e_g_H_into(&mut g, &mut h);
+        });
+        assert_eq!(found.count_total, 0);
+        let fresh = Dirichlet::new(&mesh, &positions, x).unwrap();
+        let (e, slope, second) = fresh.e_g_H();
+        assert_eq!(energy.to_bits(), e.to_bits());
+        assert_eq!((&g, &h), (&slope, &second));
+        assert_eq!(p, fresh.P());
     }
     // a new value does allocate
     assert!(measure(|| drop(module.H())).count_total > 0);

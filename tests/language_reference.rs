@@ -205,6 +205,7 @@ fn messages(program: &str) -> String {
         source,
         libraries,
         optimizations: Optimizations::ALL,
+        together: Vec::new(),
     });
     let messages = render::render_all(&outcome.sources, &outcome.diagnostics);
     assert!(

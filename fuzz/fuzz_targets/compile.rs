@@ -31,6 +31,7 @@ fuzz_target!(|bytes: &[u8]| {
             source: Source::file("fuzz.hlang", text.as_ref()),
             libraries: libraries.clone(),
             optimizations,
+            together: Vec::new(),
         });
         // either code, or an error that says why there is none
         assert!(outcome.code.is_some() != outcome.diagnostics.has_errors());

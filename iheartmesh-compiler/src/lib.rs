@@ -21,6 +21,7 @@ pub mod resolve;
 pub mod source;
 pub mod span;
 pub mod syntax;
+mod together;
 pub mod types;
 
 use std::rc::Rc;
@@ -28,6 +29,7 @@ use std::rc::Rc;
 use proc_macro2::{Ident, TokenStream};
 
 pub use library::{Library, format, imported_modules};
+pub use together::Misfit;
 
 use diagnostic::Diagnostics;
 use optimize::{Optimizations, StagedProgram};
@@ -50,6 +52,8 @@ pub struct Request {
     pub libraries: Vec<Library>,
     /// Which optimisations are made.
     pub optimizations: Optimizations,
+    /// Definitions that are asked for at once, by the names of their methods.
+    pub together: Vec<Vec<String>>,
 }
 
 /// What came of it.
@@ -59,6 +63,8 @@ pub struct Outcome {
     pub code: Option<TokenStream>,
     /// All messages, warnings and notes among them.
     pub diagnostics: Diagnostics,
+    /// What is wrong with [`Request::together`].
+    pub misfits: Vec<Misfit>,
     /// The texts that the messages point into.
     pub sources: Sources,
 }
@@ -76,6 +82,8 @@ pub struct Stages {
     pub staged: Option<StagedProgram>,
     /// All messages so far.
     pub diagnostics: Diagnostics,
+    /// What is wrong with names that are asked for together.
+    pub misfits: Vec<Misfit>,
     /// The texts that the messages point into.
     pub sources: Sources,
 }
@@ -87,6 +95,17 @@ pub fn stages(
     libraries: &[Library],
     optimizations: Optimizations,
 ) -> Stages {
+    stages_together(name, source, libraries, optimizations, &[])
+}
+
+/// Runs all stages up to the optimised program, in which some definitions are asked for at once, by the names of their methods.
+pub fn stages_together(
+    name: &str,
+    source: Source,
+    libraries: &[Library],
+    optimizations: Optimizations,
+    together: &[Vec<String>],
+) -> Stages {
     let mut sources = Sources::default();
     let mut diagnostics = Diagnostics::default();
     let parsed = library::parse_all(source, libraries, &mut sources, &mut diagnostics);
@@ -96,9 +115,17 @@ pub fn stages(
         &parsed.libraries,
         &mut diagnostics,
     );
-    let program = check::check(&resolved, &mut diagnostics);
-    let correct = !diagnostics.has_errors();
-    let staged = correct.then(|| optimize::optimize(program.clone(), optimizations));
+    let mut program = check::check(&resolved, &mut diagnostics);
+    let misfits = match diagnostics.has_errors() {
+        true => Vec::new(),
+        false => together::resolve(&mut program, together),
+    };
+    let correct = !diagnostics.has_errors() && misfits.is_empty();
+    let staged = correct.then(|| {
+        let mut program = program.clone();
+        together::prepare(&mut program, optimizations);
+        optimize::optimize(program, optimizations)
+    });
     if let Some(staged) = &staged {
         for (name, span, n) in optimize::operations::many(staged) {
             let message = format!("`{name}` becomes {n} operations, which takes rustc long");
@@ -113,6 +140,7 @@ pub fn stages(
         program: correct.then_some(program),
         staged,
         diagnostics,
+        misfits,
         sources,
     }
 }
@@ -121,12 +149,14 @@ pub fn stages(
 pub fn compile(request: Request) -> Outcome {
     let name = request.name.to_string();
     let text = request.source.text.clone();
-    let mut stages = stages(
+    let mut stages = stages_together(
         &name,
         request.source,
         &request.libraries,
         request.optimizations,
+        &request.together,
     );
+    let mut clashes = Vec::new();
     let code = stages.staged.as_ref().map(|staged| {
         let header = emit::rust::Header {
             name: request.name,
@@ -135,11 +165,20 @@ pub fn compile(request: Request) -> Outcome {
             krate: request.krate,
             source: text,
         };
-        emit::rust::emit(staged, &stages.sources, &header, &mut stages.diagnostics)
+        emit::rust::emit(
+            staged,
+            &stages.sources,
+            &header,
+            &mut stages.diagnostics,
+            &mut clashes,
+        )
     });
+    let mut misfits = stages.misfits;
+    misfits.extend(clashes.into_iter().map(Misfit::from));
     Outcome {
-        code: code.filter(|_| !stages.diagnostics.has_errors()),
+        code: code.filter(|_| !stages.diagnostics.has_errors() && misfits.is_empty()),
         diagnostics: stages.diagnostics,
+        misfits,
         sources: stages.sources,
     }
 }

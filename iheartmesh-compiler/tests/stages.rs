@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use iheartmesh_compiler::optimize::{Optimizations, show};
 use iheartmesh_compiler::source::Source;
 use iheartmesh_compiler::{
-    Library, Request, compile, imported_modules, ir, resolve, stages, syntax,
+    Library, Request, compile, imported_modules, ir, resolve, stages, stages_together, syntax,
 };
 
 /// A program of the tests of the whole workspace.
@@ -71,10 +71,21 @@ fn expect(name: &str, found: &str) {
 
 /// All stages of a program, one after the other.
 fn check(file: &Path) {
+    check_together(file, &[]);
+}
+
+/// The same of a program of which some definitions are asked for at once.
+fn check_together(file: &Path, together: &[Vec<String>]) {
     let source = read(file);
     let libraries = libraries(&source);
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let stages = stages("Program", source.clone(), &libraries, Optimizations::ALL);
+    let stages = stages_together(
+        "Program",
+        source.clone(),
+        &libraries,
+        Optimizations::ALL,
+        together,
+    );
     assert!(stages.diagnostics.is_empty(), "{:?}", stages.diagnostics);
     let program = stages.program.as_ref().expect("a program without errors");
     let staged = stages.staged.as_ref().expect("a program without errors");
@@ -86,6 +97,7 @@ fn check(file: &Path) {
         source,
         libraries,
         optimizations: Optimizations::ALL,
+        together: together.to_vec(),
     });
     let code = code.code.expect("a program without errors");
     let items = syn::parse2(code).expect("generated Rust is Rust");
@@ -166,6 +178,12 @@ fn products() {
 #[test]
 fn optima() {
     check(&small("optima"));
+}
+
+#[test]
+fn together() {
+    let list = ["e", "g", "H"].map(str::to_owned).to_vec();
+    check_together(&small("together"), &[list]);
 }
 
 /// The plan of one program without each of the optimisations, and without all.

@@ -3,11 +3,13 @@
 //! **Invariant:** whatever the tokens are, every item that has a name is defined, or is replaced by an error of ours.
 
 use crate::collection::{Collection, Context, STANDARD};
+use crate::error::Error;
 use crate::exports;
 use crate::invocation::{Header, Invocation, Item, Use, parse};
 use crate::libraries::{self, Problem};
 use crate::module::{Module, Need, Reader, Route, fingerprint};
 use crate::report;
+use crate::switches::Together;
 use iheartmesh_compiler::diagnostic::{Diagnostic, Severity};
 use iheartmesh_compiler::render::render;
 use iheartmesh_compiler::source::Source;
@@ -175,6 +177,7 @@ fn finish(
             Some(code) => output.extend(code.clone()),
             None => {
                 errors.extend(messages.errors(&failed));
+                errors.extend(messages.misfits());
                 stand_ins.push(&item.header);
             }
         }
@@ -234,7 +237,13 @@ fn compiled(context: &Context, item: &Item, libraries: Vec<Library>) -> Outcome 
             krate: context.krate.clone(),
             source: item.body.source.clone(),
             libraries,
-            optimizations: header.optimizations,
+            optimizations: header.switches.optimizations,
+            together: header
+                .switches
+                .together
+                .iter()
+                .map(Together::plain)
+                .collect(),
         })
     };
     catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
@@ -287,6 +296,19 @@ impl Messages<'_> {
         list.filter(|found| found.severity != Severity::Error)
             .map(|found| self.message(found))
             .collect()
+    }
+
+    /// What is wrong with `#[together(…)]`, each at its name.
+    fn misfits(&self) -> TokenStream {
+        let lists = &self.item.header.switches.together;
+        let messages = self.outcome.misfits.iter().map(|misfit| {
+            let list = lists.get(misfit.list);
+            let name = list.and_then(|list| list.names.get(misfit.name?));
+            let whole = list.map_or_else(Span::call_site, |list| list.span);
+            let span = name.map_or(whole, |name| name.span());
+            report::call_error(&Error::new(span, &misfit.message).help(&misfit.help))
+        });
+        messages.collect()
     }
 
     /// Errors, without those inside of another module of this call that has failed and reports them itself.

@@ -4,8 +4,7 @@
 
 use crate::body::{Body, flat};
 use crate::error::Error;
-use crate::switches;
-use iheartmesh_compiler::optimize::Optimizations;
+use crate::switches::{self, Switches};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 /// What a call says.
@@ -39,8 +38,8 @@ pub struct Header {
     pub visibility: TokenStream,
     /// The name of the struct.
     pub name: Ident,
-    /// What `#[without(…)]` leaves on.
-    pub optimizations: Optimizations,
+    /// What its attributes say to the compiler.
+    pub switches: Switches,
 }
 
 /// `pub struct Name = r#"…"#;`
@@ -211,12 +210,12 @@ impl Reader {
             _ => return Err(self.expected("the name of the module")),
         };
         self.at += 1;
-        let (attributes, optimizations) = switches::take(attributes, &mut self.found.errors);
+        let (attributes, switches) = switches::take(attributes, &mut self.found.errors);
         let header = Header {
             attributes,
             visibility,
             name,
-            optimizations,
+            switches,
         };
         match self.rest(&header) {
             Ok(body) => {
@@ -244,7 +243,7 @@ impl Reader {
                         attributes: TokenStream::new(),
                         visibility,
                         name,
-                        optimizations: Optimizations::ALL,
+                        switches: Switches::default(),
                     });
                 }
                 Error::new(kind.span(), message).help(EXAMPLE)

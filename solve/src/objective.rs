@@ -63,6 +63,26 @@ pub trait TwiceDifferentiable: Objective {
     /// # Errors
     /// If it has no value.
     fn hessian(&mut self, hessian: &mut CsMat<f64>) -> Result<(), Failure>;
+
+    /// Writes the gradient and the Hessian, each as by itself. Newton's method asks for both where it knows that it needs
+    /// both; a module that has them `#[together(G, H)]` computes them in one pass:
+    ///
+    /// ```text
+    /// fn derivatives(&mut self, gradient: &mut DVector<f64>, hessian: &mut CsMat<f64>) -> Result<(), Failure> {
+    ///     Ok(self.try_G_H_into(gradient, hessian)?)
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    /// If one of them has no value.
+    fn derivatives(
+        &mut self,
+        gradient: &mut DVector<f64>,
+        hessian: &mut CsMat<f64>,
+    ) -> Result<(), Failure> {
+        self.gradient(gradient)?;
+        self.hessian(hessian)
+    }
 }
 
 impl<O: Objective + ?Sized> Objective for &mut O {
@@ -86,6 +106,14 @@ impl<O: Objective + ?Sized> Objective for &mut O {
 impl<O: TwiceDifferentiable + ?Sized> TwiceDifferentiable for &mut O {
     fn hessian(&mut self, hessian: &mut CsMat<f64>) -> Result<(), Failure> {
         (**self).hessian(hessian)
+    }
+
+    fn derivatives(
+        &mut self,
+        gradient: &mut DVector<f64>,
+        hessian: &mut CsMat<f64>,
+    ) -> Result<(), Failure> {
+        (**self).derivatives(gradient, hessian)
     }
 }
 

@@ -74,7 +74,13 @@ fn module(name: &str, generated: &Generated) -> String {
             source: source.clone(),
         };
         let mut diagnostics = Default::default();
-        let code = emit(staged, &stages.sources, &header, &mut diagnostics);
+        let code = emit(
+            staged,
+            &stages.sources,
+            &header,
+            &mut diagnostics,
+            &mut Vec::new(),
+        );
         assert!(
             !diagnostics.has_errors(),
             "{name}: {diagnostics:?}\n{source}"

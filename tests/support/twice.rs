@@ -2,12 +2,14 @@
 
 /// The programs twice: with all optimisations and without any.
 macro_rules! programs {
-    ($($name:ident, $plain:ident = $text:literal;)*) => {
+    ($($(#[$($attribute:tt)*])* $name:ident, $plain:ident = $text:literal;)*) => {
         mod both {
             iheartmesh::iheartmesh! {
                 $(
+                    $(#[$($attribute)*])*
                     pub struct $name = $text;
 
+                    $(#[$($attribute)*])*
                     #[without(all)]
                     pub struct $plain = $text;
                 )*

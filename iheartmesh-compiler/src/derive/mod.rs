@@ -112,6 +112,32 @@ pub fn second(program: &mut Program, y: ExprId, a: ExprId, b: ExprId) -> Result<
     gradient(&mut normal, slope, b)
 }
 
+/// A number in the form that it has in its derivatives by `x`, with which it shares what it can then. It stays as it is where
+/// it has no such form.
+pub fn value(program: &mut Program, y: ExprId, x: ExprId) -> ExprId {
+    let mut normal = Normal::new(program, &[x]);
+    let Ok(in_form) = normal.expr(y) else {
+        return y;
+    };
+    if !stencil::has_items(&normal.algebra(), x) {
+        return y;
+    }
+    let mut stencil = Stencil {
+        normal: &mut normal,
+        x,
+        second: false,
+        sizes: Vec::new(),
+        ty: Type::REAL,
+        otherwise: |_: &mut Normal<'_>, term| Ok(term),
+    };
+    stencil.value(in_form, None, &[])
+}
+
+/// The number of numbers in an input, as a derivative by it has it among its sizes.
+pub fn length(program: &mut Program, x: ExprId) -> ExprId {
+    size(&mut Normal::new(program, &[x]), x)
+}
+
 /// Why the second derivatives of a number by the items of `a` and `b` are a dense matrix: the place of a term that takes
 /// all items, or many, if that is known. `None` where they are not dense because of what is differentiated.
 pub fn dense_because(

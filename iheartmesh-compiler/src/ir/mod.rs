@@ -25,7 +25,7 @@ pub use failure::{failure, no_optimum};
 pub use listing::{program, types};
 pub use program::{
     Export, Function, FunctionId, Global, GlobalId, Input, InputId, MeshInput, Pairs, Parameter,
-    Program, Site, Tie,
+    Pass, Program, Site, Tie, Together,
 };
 
 pub use unproven::{Axis, is_of_unknown_size, unproven};

@@ -118,6 +118,24 @@ pub enum Export {
     Function(FunctionId),
 }
 
+/// Definitions that the host asks for at once.
+#[derive(Clone, Debug)]
+pub struct Together {
+    /// Which, in the order in which they are asked for.
+    pub members: Vec<GlobalId>,
+    /// What computes several of them in one pass.
+    pub pass: Option<Pass>,
+}
+
+/// A definition that nobody names: the values of others, in a tuple. Only what is emitted for it tells its loops from theirs.
+#[derive(Clone, Debug)]
+pub struct Pass {
+    /// The definition.
+    pub global: GlobalId,
+    /// What its items are the values of: arrays first, those of them that are sparse before others, then numbers.
+    pub members: Vec<GlobalId>,
+}
+
 /// What is said when an expression fails at run time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Site {
@@ -144,6 +162,8 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// What the host may call.
     pub exports: Vec<Export>,
+    /// What the host asks for at once.
+    pub together: Vec<Together>,
 }
 
 impl Program {
@@ -174,6 +194,12 @@ impl Program {
             Type::Matrix { rows, columns, .. } => rows == size || columns == size,
             _ => false,
         })
+    }
+
+    /// What a definition computes in one pass, if that is what it is for.
+    pub fn pass(&self, id: GlobalId) -> Option<&Pass> {
+        let mut passes = self.together.iter().filter_map(|t| t.pass.as_ref());
+        passes.find(|pass| pass.global == id)
     }
 
     /// All functions with their ids.

@@ -26,15 +26,20 @@ pub fn run(program: &mut Program) {
     let values = globals.iter_mut().map(|global| &mut global.value);
     let bodies = functions.iter_mut().map(|function| &mut function.body);
     for e in values.chain(bodies) {
-        let (mut binders, mut first) = (Binders::default(), HashMap::new());
-        *e = rewrite::upward(arena, *e, &mut HashMap::new(), &mut |arena, e| {
-            if bound_variables(&mut arena.kind(e).clone()).is_empty() {
-                return e;
-            }
-            let form = binders.form(arena, e);
-            *first.entry(form).or_insert(e)
-        });
+        *e = expression(arena, *e);
     }
+}
+
+/// Unites the binders of an expression.
+pub fn expression(arena: &mut Arena, e: ExprId) -> ExprId {
+    let (mut binders, mut first) = (Binders::default(), HashMap::new());
+    rewrite::upward(arena, e, &mut HashMap::new(), &mut |arena, e| {
+        if bound_variables(&mut arena.kind(e).clone()).is_empty() {
+            return e;
+        }
+        let form = binders.form(arena, e);
+        *first.entry(form).or_insert(e)
+    })
 }
 
 /// Forms of expressions that are equal where only the names of bound variables differ.

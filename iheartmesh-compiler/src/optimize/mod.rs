@@ -25,6 +25,7 @@ pub mod show;
 mod steps;
 mod sums;
 pub mod tables;
+mod together;
 mod traverse;
 mod triangles;
 
@@ -296,6 +297,7 @@ pub fn optimize(mut program: Program, optimizations: Optimizations) -> StagedPro
         binders::run(&mut program);
         sums::run(&mut program);
     }
+    together::run(&mut program);
     if optimizations.slots {
         parts::run(&mut program);
     }

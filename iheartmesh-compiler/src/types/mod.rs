@@ -162,6 +162,17 @@ impl Type {
         )
     }
 
+    /// Whether a type is that of sparse matrices, or of vectors and matrices whose size the program does not fix.
+    pub fn is_of_any_size(&self) -> bool {
+        let fixed = |n: &Dimension| n.value().is_some();
+        match self.shape() {
+            _ if self.is_integer() => false,
+            Some(Shape::Matrix(n, m)) => self.is_sparse() || !(fixed(&n) && fixed(&m)),
+            Some(Shape::Vector(n)) => !self.is_sparse() && !fixed(&n),
+            _ => false,
+        }
+    }
+
     /// Whether its numbers are integers.
     pub fn is_integer(&self) -> bool {
         matches!(

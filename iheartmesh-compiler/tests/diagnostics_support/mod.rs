@@ -62,6 +62,7 @@ pub fn outcome(source: Source, libraries: Vec<Library>) -> Outcome {
         source,
         libraries,
         optimizations: Optimizations::ALL,
+        together: Vec::new(),
     })
 }
 

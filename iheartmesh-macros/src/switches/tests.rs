@@ -9,8 +9,8 @@ use proc_macro2::TokenStream;
 fn read(attributes: &str) -> (String, Vec<&'static str>, Vec<Error>) {
     let tokens: TokenStream = attributes.parse().unwrap();
     let mut errors = Vec::new();
-    let (rest, on) = take(tokens, &mut errors);
-    (rest.to_string(), names(on), errors)
+    let (rest, found) = take(tokens, &mut errors);
+    (rest.to_string(), names(found.optimizations), errors)
 }
 
 fn names(on: Optimizations) -> Vec<&'static str> {
@@ -90,4 +90,33 @@ fn unknown_optimisations_are_reported_where_they_stand() {
         ]
     );
     assert!(errors[0].message.contains("`plan`") && errors[0].message.contains("`all`"));
+}
+
+#[test]
+fn definitions_asked_for_together() {
+    let tokens: TokenStream = "#[together(e, g, H)] #[must_use] #[together(r#type, κ,)]"
+        .parse()
+        .unwrap();
+    let mut errors = Vec::new();
+    let (rest, found) = take(tokens, &mut errors);
+    assert_eq!(rest.to_string(), "# [must_use]");
+    let lists: Vec<_> = found.together.iter().map(|list| list.plain()).collect();
+    assert_eq!(lists, [vec!["e", "g", "H"], vec!["type", "κ"]]);
+    assert_eq!(found.together[0].span.start().column, 2);
+    assert!(errors.is_empty());
+}
+
+#[test]
+fn what_is_no_name_is_reported_where_it_stands() {
+    let tokens: TokenStream = "#[together(e, 3, H)]".parse().unwrap();
+    let mut errors = Vec::new();
+    let (_, found) = take(tokens, &mut errors);
+    assert!(found.together.is_empty());
+    assert_eq!(errors.len(), 1);
+    assert_eq!(errors[0].span.start().column, 14);
+    assert!(
+        errors[0]
+            .message
+            .starts_with("`3` is not the name of a definition")
+    );
 }

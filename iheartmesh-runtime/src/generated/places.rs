@@ -1,22 +1,47 @@
 //! The places of a sum of blocks, before it has values: its pattern is made of them.
 
+use std::ops::Range;
 use std::sync::Mutex;
 
 use rayon::prelude::*;
 use sprs::CsMat;
 
-use super::slots::{Chunk, Heights, Jump, MISSING, Slots, Whole};
+use super::pattern::Pattern;
+use super::slots::{ArraySlots, Chunk, Heights, Jump, MISSING, Slots, Whole};
 use super::{Fallible, Fault};
 
 /// About as many numbers are evaluated before they are added: they stay in the nearest cache.
 const CHUNK: usize = 2048;
 
+/// The size of an array that blocks are added to.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// Whether only places that blocks go to have entries.
+    pub sparse: bool,
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+}
+
 /// The places of blocks while they are collected.
 #[derive(Debug)]
 pub struct Places {
-    sparse: bool,
-    rows: usize,
-    columns: usize,
+    arrays: Vec<ArrayPlaces>,
+    /// How many numbers are added up beside the arrays.
+    totals: usize,
+    /// The array that the next block goes to.
+    array: usize,
+    /// The rounds of each chunk, sum by sum.
+    parts: Vec<Vec<Range<usize>>>,
+    /// How many values the last chunk has.
+    last: usize,
+}
+
+/// The same in one array.
+#[derive(Debug)]
+struct ArrayPlaces {
+    layout: Layout,
     /// Row, column and height.
     pieces: Vec<[u32; 3]>,
     /// Of matrices that are added whole: row and column of each entry, and the entries if they are kept.
@@ -24,49 +49,58 @@ pub struct Places {
     jumps: Vec<Jump>,
     /// How many of these there were before the current round.
     jumps_before: usize,
+    /// The branches around the next block.
+    branches: Vec<Branch>,
     parts: Vec<Vec<Chunk>>,
+    /// How many values the current round has, and whether some of its places do not exist.
     values: usize,
     missing: bool,
 }
 
 /// Where a branch started.
 #[derive(Clone, Copy, Debug)]
-pub struct Branch {
+struct Branch {
     jump: usize,
     values: usize,
     pieces: usize,
 }
 
 impl Places {
-    /// Of a sparse matrix of this size.
-    pub fn sparse(rows: usize, columns: usize) -> Self {
-        Self {
-            sparse: true,
-            ..Self::dense(rows, columns)
-        }
-    }
-
-    /// Of a vector or matrix of this size.
-    pub fn dense(rows: usize, columns: usize) -> Self {
-        Self {
-            sparse: false,
-            rows,
-            columns,
+    /// Of these arrays, with so many numbers beside them.
+    pub fn new(arrays: &[Layout], totals: usize) -> Self {
+        let empty = |layout: &Layout| ArrayPlaces {
+            layout: *layout,
             pieces: Vec::new(),
             wholes: Vec::new(),
             jumps: Vec::new(),
             jumps_before: 0,
+            branches: Vec::new(),
             parts: Vec::new(),
             values: 0,
             missing: false,
+        };
+        Self {
+            arrays: arrays.iter().map(empty).collect(),
+            totals,
+            array: 0,
+            parts: Vec::new(),
+            last: 0,
         }
     }
 
     /// Starts the next sum.
     pub fn part(&mut self) {
         self.parts.push(Vec::new());
-        self.values = 0;
-        self.missing = false;
+        for array in &mut self.arrays {
+            array.parts.push(Vec::new());
+            (array.values, array.missing) = (0, false);
+        }
+    }
+
+    /// The array that the next blocks go to.
+    #[inline(always)]
+    pub fn array(&mut self, array: usize) {
+        self.array = array;
     }
 
     /// Ends a round of the loop of the current sum.
@@ -75,67 +109,117 @@ impl Places {
         let Some(part) = self.parts.last_mut() else {
             return;
         };
-        match part.last_mut() {
-            Some(chunk) if chunk.values < CHUNK => {
-                chunk.rounds.end += 1;
-                chunk.pieces.end = self.pieces.len();
-                chunk.values += self.values;
-                chunk.missing |= self.missing;
+        let values: usize = self.arrays.iter().map(|array| array.values).sum();
+        let is_new = match part.last_mut() {
+            Some(rounds) if self.last < CHUNK => {
+                rounds.end += 1;
+                self.last += values + self.totals;
+                false
             }
             last => {
-                let (round, start) = last.map_or((0, None), |c| (c.rounds.end, Some(c.pieces.end)));
-                let start = start.unwrap_or_else(|| self.before_part());
-                let chunk = Chunk {
-                    rounds: round..round + 1,
-                    pieces: start..self.pieces.len(),
-                    jumps: self.jumps_before,
-                    values: self.values,
-                    missing: self.missing,
-                };
-                if let Some(part) = self.parts.last_mut() {
-                    part.push(chunk);
-                }
+                let round = last.map_or(0, |rounds| rounds.end);
+                part.push(round..round + 1);
+                self.last = values + self.totals;
+                true
             }
+        };
+        for array in &mut self.arrays {
+            array.end_round(is_new);
         }
-        self.values = 0;
-        self.missing = false;
-        self.jumps_before = self.jumps.len();
     }
 
-    /// A sparse matrix of a pattern that is added whole.
+    /// A sparse matrix of the pattern of other slots that is added whole.
     pub fn pattern(&mut self, slots: &Slots) {
-        let mut places = Vec::with_capacity(slots.entries);
-        for (column, range) in slots.pointers.windows(2).enumerate() {
-            let rows = slots.indices.get(range[0]..range[1]).unwrap_or_default();
+        let pattern = slots.pattern(0);
+        let mut places = Vec::with_capacity(pattern.entries);
+        for (column, range) in pattern.pointers.windows(2).enumerate() {
+            let rows = pattern.indices.get(range[0]..range[1]).unwrap_or_default();
             places.extend(rows.iter().map(|row| [*row as u32, column as u32]));
         }
-        self.wholes.push((places, Vec::new()));
+        self.arrays[self.array].wholes.push((places, Vec::new()));
     }
 
     /// A sparse matrix that is added whole, and does not depend on values.
     pub fn matrix(&mut self, matrix: &CsMat<f64>) {
         let entries = matrix.iter();
         let entries = entries.map(|(value, (row, column))| ([row as u32, column as u32], *value));
-        self.wholes.push(entries.unzip());
+        self.arrays[self.array].wholes.push(entries.unzip());
     }
 
     /// Starts a branch that depends on values.
-    pub fn enter(&mut self) -> Branch {
-        let branch = Branch {
+    pub fn enter(&mut self) {
+        self.arrays.iter_mut().for_each(ArrayPlaces::enter);
+    }
+
+    /// Ends a branch: notes what is in it.
+    pub fn leave(&mut self) {
+        self.arrays.iter_mut().for_each(ArrayPlaces::leave);
+    }
+
+    /// A block of the array of [`Places::array`], see [`ArrayPlaces::block`].
+    pub fn block<const N: usize, const M: usize>(
+        &mut self,
+        places: Option<([usize; N], [usize; M])>,
+        height: usize,
+        width: usize,
+    ) {
+        self.arrays[self.array].block(places, height, width);
+    }
+
+    /// The patterns and the places in them.
+    ///
+    /// # Errors
+    /// When there are more entries than `u32` can count.
+    pub fn finish(self, fault: Fault) -> Fallible<Slots> {
+        let arrays = self.arrays.into_iter().map(|array| array.finish(fault));
+        Ok(Slots {
+            arrays: arrays.collect::<Fallible<_>>()?,
+            parts: self.parts,
+            scratch: Mutex::default(),
+        })
+    }
+}
+
+impl ArrayPlaces {
+    fn end_round(&mut self, is_new: bool) {
+        let start = self.before_round();
+        let Some(part) = self.parts.last_mut() else {
+            return;
+        };
+        if is_new {
+            part.push(Chunk {
+                pieces: start..start,
+                jumps: self.jumps_before,
+                values: 0,
+                missing: false,
+            });
+        }
+        if let Some(chunk) = part.last_mut() {
+            chunk.pieces.end = self.pieces.len();
+            chunk.values += self.values;
+            chunk.missing |= self.missing;
+        }
+        (self.values, self.missing) = (0, false);
+        self.jumps_before = self.jumps.len();
+    }
+
+    fn enter(&mut self) {
+        self.branches.push(Branch {
             jump: self.jumps.len(),
             values: self.values,
             pieces: self.pieces.len(),
-        };
+        });
         self.jumps.push(Jump {
             values: 0,
             pieces: 0,
             jumps: 0,
         });
-        branch
     }
 
-    /// Ends a branch: notes what is in it.
-    pub fn leave(&mut self, branch: Branch) {
+    fn leave(&mut self) {
+        let Some(branch) = self.branches.pop() else {
+            return;
+        };
         let inside = self.jumps.len() - branch.jump - 1;
         if let Some(jump) = self.jumps.get_mut(branch.jump) {
             // more than that fails in the end
@@ -147,16 +231,15 @@ impl Places {
         }
     }
 
-    /// The number of pieces before the current sum.
-    fn before_part(&self) -> usize {
-        let before = &self.parts[..self.parts.len().saturating_sub(1)];
-        let last = before.iter().rev().find_map(|part| part.last());
+    /// The number of pieces before the current round.
+    fn before_round(&self) -> usize {
+        let last = self.parts.iter().rev().find_map(|part| part.last());
         last.map_or(0, |chunk| chunk.pieces.end)
     }
 
     /// A block whose rows start at these places, in parts of a height, and its columns likewise, or in the first where there
     /// are none; nothing where there is no such place.
-    pub fn block<const N: usize, const M: usize>(
+    fn block<const N: usize, const M: usize>(
         &mut self,
         places: Option<([usize; N], [usize; M])>,
         height: usize,
@@ -168,7 +251,7 @@ impl Places {
             places.iter().all(|p| end(p).is_some_and(|end| end <= size))
         };
         let places = places.filter(|(rows, columns)| {
-            within(rows, height, self.rows) && within(columns, width, self.columns)
+            within(rows, height, self.layout.rows) && within(columns, width, self.layout.columns)
         });
         self.missing |= places.is_none();
         let (rows, columns) = places.unwrap_or(([0; N], [0; M]));
@@ -194,24 +277,28 @@ impl Places {
     ///
     /// # Errors
     /// When there are more entries than `u32` can count.
-    pub fn finish(self, fault: Fault) -> Fallible<Slots> {
+    fn finish(self, fault: Fault) -> Fallible<ArraySlots> {
+        let Layout {
+            sparse,
+            rows,
+            columns,
+        } = self.layout;
         let largest = MISSING as usize;
-        let pieces = self.pieces.len();
         let values = self.parts.iter().flatten().map(|chunk| chunk.values).max();
-        if self.rows >= largest
-            || self.columns >= largest
-            || pieces >= largest
+        if rows >= largest
+            || columns >= largest
+            || self.pieces.len() >= largest
             || self.jumps.len() >= largest
             || values.is_some_and(|n| n >= largest)
         {
             return Err(fault);
         }
-        if !self.sparse {
-            let entries = self.rows.checked_mul(self.columns);
+        if !sparse {
+            let entries = rows.checked_mul(columns);
             let Some(entries) = entries.filter(|n| *n < largest) else {
                 return Err(fault);
             };
-            let rows = self.rows as u32;
+            let rows = rows as u32;
             let slot = |[row, column, _]: &[u32; 3]| match *row {
                 MISSING => MISSING,
                 row => column * rows + row,
@@ -220,18 +307,18 @@ impl Places {
             return Ok(self.with_slots(slots, Vec::new(), entries, Vec::new(), Vec::new()));
         }
         let there = |piece: &&[u32; 3]| piece[0] != MISSING;
-        let mut starts = vec![0usize; self.columns + 1];
+        let mut starts = vec![0usize; columns + 1];
         for [_, column, height] in self.pieces.iter().filter(there) {
             starts[*column as usize + 1] += *height as usize;
         }
         for [_, column] in self.wholes.iter().flat_map(|(places, _)| places) {
             starts[*column as usize + 1] += 1;
         }
-        for k in 0..self.columns {
+        for k in 0..columns {
             starts[k + 1] += starts[k];
         }
         let mut next = starts.clone();
-        let mut found = vec![0u32; starts[self.columns]];
+        let mut found = vec![0u32; starts[columns]];
         for [row, column, height] in self.pieces.iter().filter(there) {
             for k in 0..*height {
                 let place = &mut next[*column as usize];
@@ -244,20 +331,20 @@ impl Places {
             found[*place] = *row;
             *place += 1;
         }
-        let mut columns = Vec::with_capacity(self.columns);
+        let mut sorted = Vec::with_capacity(columns);
         let mut rest = found.as_mut_slice();
-        for k in 0..self.columns {
+        for k in 0..columns {
             let (column, after) = rest.split_at_mut(starts[k + 1] - starts[k]);
-            columns.push(column);
+            sorted.push(column);
             rest = after;
         }
-        columns
+        sorted
             .par_iter_mut()
             .for_each(|column| column.sort_unstable());
-        let mut pointers = Vec::with_capacity(self.columns + 1);
+        let mut pointers = Vec::with_capacity(columns + 1);
         let mut indices: Vec<usize> = Vec::new();
         pointers.push(0);
-        for column in columns {
+        for column in sorted {
             let first = indices.len();
             for row in column {
                 let row = *row as usize;
@@ -298,24 +385,25 @@ impl Places {
         entries: usize,
         pointers: Vec<usize>,
         indices: Vec<usize>,
-    ) -> Slots {
+    ) -> ArraySlots {
         let height = self.pieces.first().map_or(1, |piece| piece[2]);
         let heights = match self.pieces.iter().all(|piece| piece[2] == height) {
             true => Heights::All(height as usize),
             false => Heights::Each(self.pieces.iter().map(|piece| piece[2]).collect()),
         };
-        Slots {
-            rows: self.rows,
-            columns: self.columns,
-            entries,
-            pointers,
-            indices,
+        ArraySlots {
+            pattern: Pattern {
+                rows: self.layout.rows,
+                columns: self.layout.columns,
+                entries,
+                pointers,
+                indices,
+            },
             slots,
             heights,
             wholes,
             jumps: self.jumps,
             parts: self.parts,
-            scratch: Mutex::default(),
         }
     }
 }

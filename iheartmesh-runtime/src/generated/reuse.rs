@@ -3,15 +3,15 @@
 use nalgebra::{DMatrix, DVector};
 use sprs::CsMat;
 
-use super::Slots;
+use super::Pattern;
 
 /// A value whose memory can hold another of the same size.
 pub trait Reuse {
     /// Takes over a value: in the memory that there is, if the size and the pattern agree.
     fn assign(&mut self, value: &Self);
 
-    /// The entries, all 0, in the size and the pattern of these slots.
-    fn entries_of(&mut self, slots: &Slots) -> &mut [f64];
+    /// The entries, all 0, in the size and the places of this pattern.
+    fn entries_of(&mut self, pattern: &Pattern) -> &mut [f64];
 }
 
 impl Reuse for DVector<f64> {
@@ -22,10 +22,10 @@ impl Reuse for DVector<f64> {
         }
     }
 
-    fn entries_of(&mut self, slots: &Slots) -> &mut [f64] {
-        match self.len() == slots.rows() {
+    fn entries_of(&mut self, pattern: &Pattern) -> &mut [f64] {
+        match self.len() == pattern.rows() {
             true => self.fill(0.0),
-            false => *self = Self::zeros(slots.rows()),
+            false => *self = Self::zeros(pattern.rows()),
         }
         self.as_mut_slice()
     }
@@ -39,8 +39,8 @@ impl Reuse for DMatrix<f64> {
         }
     }
 
-    fn entries_of(&mut self, slots: &Slots) -> &mut [f64] {
-        let (rows, columns) = (slots.rows(), slots.columns());
+    fn entries_of(&mut self, pattern: &Pattern) -> &mut [f64] {
+        let (rows, columns) = (pattern.rows(), pattern.columns());
         match self.shape() == (rows, columns) {
             true => self.fill(0.0),
             false => *self = Self::zeros(rows, columns),
@@ -61,10 +61,10 @@ impl Reuse for CsMat<f64> {
         }
     }
 
-    fn entries_of(&mut self, slots: &Slots) -> &mut [f64] {
-        match slots.is_pattern_of(self) {
+    fn entries_of(&mut self, pattern: &Pattern) -> &mut [f64] {
+        match pattern.is_of(self) {
             true => self.data_mut().fill(0.0),
-            false => *self = slots.matrix(vec![0.0; slots.entries()]),
+            false => *self = pattern.matrix(vec![0.0; pattern.entries()]),
         }
         self.data_mut()
     }

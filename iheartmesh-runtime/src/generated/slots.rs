@@ -4,11 +4,10 @@
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use sprs::CsMat;
-
 use super::array::Array;
 use super::in_order::in_order;
 use super::local_block::LocalBlock;
+use super::pattern::Pattern;
 use super::{Fallible, Fault};
 
 /// Stands for a place that does not exist.
@@ -21,18 +20,22 @@ const FEW: usize = 16;
 /// by one of them, then: the more, the less often they go from one core to another.
 const GROUP: usize = 4;
 
-/// Where the entries of a sum of blocks go. Blocks come in the order of the loops; of each the columns, of each column
-/// the pieces that stay together.
+/// Where the entries of a sum of blocks go, or of several that are computed together.
 #[derive(Debug)]
 pub struct Slots {
-    pub(super) rows: usize,
-    pub(super) columns: usize,
-    pub(super) entries: usize,
-    /// Where columns start in `indices`; of a dense array both are empty.
-    pub(super) pointers: Vec<usize>,
-    /// Rows, ascending in each column.
-    pub(super) indices: Vec<usize>,
-    /// Where pieces start in the entries of the matrix.
+    pub(super) arrays: Vec<ArraySlots>,
+    /// One for each sum: the rounds of its chunks.
+    pub(super) parts: Vec<Vec<Range<usize>>>,
+    /// Memory for the values of chunks.
+    pub(super) scratch: Mutex<Vec<Vec<f64>>>,
+}
+
+/// Where the blocks of one array go. They come in the order of the loops; of each the columns, of each column the pieces that
+/// stay together.
+#[derive(Debug)]
+pub(super) struct ArraySlots {
+    pub(super) pattern: Pattern,
+    /// Where pieces start in the entries of the array.
     pub(super) slots: Vec<u32>,
     pub(super) heights: Heights,
     /// What is passed over where branches are not taken, in the order of the loops.
@@ -41,8 +44,6 @@ pub struct Slots {
     pub(super) wholes: Vec<Whole>,
     /// One for each sum: its chunks.
     pub(super) parts: Vec<Vec<Chunk>>,
-    /// Memory for the values of chunks.
-    pub(super) scratch: Mutex<Vec<Vec<f64>>>,
 }
 
 /// How many entries are in each piece.
@@ -70,10 +71,9 @@ pub(super) struct Jump {
     pub(super) jumps: u32,
 }
 
-/// Consecutive rounds of a loop.
+/// What consecutive rounds of a loop add to an array.
 #[derive(Clone, Debug)]
 pub(super) struct Chunk {
-    pub(super) rounds: Range<usize>,
     pub(super) pieces: Range<usize>,
     /// Where its branches start.
     pub(super) jumps: usize,
@@ -83,89 +83,92 @@ pub(super) struct Chunk {
 }
 
 impl Slots {
-    /// Number of entries.
-    pub fn entries(&self) -> usize {
-        self.entries
+    /// What an array looks like.
+    pub fn pattern(&self, array: usize) -> &Pattern {
+        &self.arrays[array].pattern
     }
 
-    /// Number of rows.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// Number of columns.
-    pub fn columns(&self) -> usize {
-        self.columns
-    }
-
-    /// A sparse matrix of this pattern.
-    pub fn matrix(&self, data: Vec<f64>) -> CsMat<f64> {
-        let size = (self.rows, self.columns);
-        CsMat::new_csc(size, self.pointers.clone(), self.indices.clone(), data)
-    }
-
-    /// Whether a matrix has this pattern.
-    pub(super) fn is_pattern_of(&self, matrix: &CsMat<f64>) -> bool {
-        matrix.is_csc()
-            && matrix.shape() == (self.rows, self.columns)
-            && matrix.indices() == self.indices
-            && matrix.proper_indptr().as_ref() == self.pointers
-    }
-
-    /// Adds the values of a sum, by its number. `values` computes those of consecutive rounds.
+    /// Adds the values of a sum, by its number, to the entries of arrays and to numbers beside them. `values` computes
+    /// those of consecutive rounds.
     ///
     /// Whatever the number of threads, the entries get their terms in the order of the rounds.
     ///
     /// # Errors
     /// The first in the order of the rounds.
-    pub fn add(
+    pub fn add<const N: usize, const M: usize>(
         &self,
         part: usize,
-        data: &mut [f64],
-        values: impl Fn(Range<usize>, &mut Terms<'_>) -> Fallible<()> + Sync,
+        data: &mut [&mut [f64]; N],
+        totals: &mut [f64; M],
+        values: impl Fn(Range<usize>, &mut [Terms<'_>; N], &mut [f64; M]) -> Fallible<()> + Sync,
     ) -> Fallible<()> {
         let chunks = self.parts.get(part).map_or(&[][..], Vec::as_slice);
-        let evaluate = |chunk: &Chunk, room: &mut [f64]| {
-            let mut terms = Terms {
-                values: room,
-                slots: match chunk.missing {
-                    true => &self.slots[chunk.pieces.clone()],
-                    false => &[],
-                },
-                next: 0,
-                piece: 0,
-                jumps: self.jumps.get(chunk.jumps..).unwrap_or_default(),
-            };
-            values(chunk.rounds.clone(), &mut terms)
+        let chunk = |array: usize, k: usize| &self.arrays[array].parts[part][k];
+        // the values for one array after the other, then the numbers
+        let count = |k: usize| (0..N).map(|array| chunk(array, k).values).sum::<usize>() + M;
+        let evaluate = |k: usize, room: &mut [f64]| {
+            let mut rest = room;
+            let mut terms: [Terms<'_>; N] = std::array::from_fn(|array| {
+                let (chunk, slots) = (chunk(array, k), &self.arrays[array]);
+                let (values, after) = std::mem::take(&mut rest).split_at_mut(chunk.values);
+                rest = after;
+                Terms {
+                    values,
+                    slots: match chunk.missing {
+                        true => &slots.slots[chunk.pieces.clone()],
+                        false => &[],
+                    },
+                    next: 0,
+                    piece: 0,
+                    jumps: slots.jumps.get(chunk.jumps..).unwrap_or_default(),
+                }
+            });
+            let mut sums = [0.0; M];
+            values(chunks[k].clone(), &mut terms, &mut sums)?;
+            rest.copy_from_slice(&sums);
+            Ok(())
+        };
+        let mut scatter = |k: usize, values: &[f64]| {
+            let mut rest = values;
+            for (array, entries) in data.iter_mut().enumerate() {
+                let chunk = chunk(array, k);
+                let (own, after) = rest.split_at(chunk.values);
+                self.arrays[array].scatter(chunk, own, entries);
+                rest = after;
+            }
+            for (total, sum) in totals.iter_mut().zip(rest) {
+                *total += sum;
+            }
         };
         let mut memory = std::mem::take(&mut *self.memory());
         let done = if chunks.len() < FEW || rayon::current_num_threads() == 1 {
             let mut values = memory.pop().unwrap_or_default();
-            let mut chunks = chunks.iter();
-            let done = chunks.try_for_each(|chunk| {
-                evaluate(chunk, room(&mut values, chunk.values))?;
-                self.scatter(chunk, &values, data);
+            let done = (0..chunks.len()).try_for_each(|k| {
+                let values = room(&mut values, count(k));
+                evaluate(k, values)?;
+                scatter(k, values);
                 Ok(())
             });
             memory.push(values);
             done
         } else {
             let groups = chunks.len().div_ceil(GROUP);
-            let group = |k: usize| &chunks[GROUP * k..chunks.len().min(GROUP * (k + 1))];
+            let group = |k: usize| GROUP * k..chunks.len().min(GROUP * (k + 1));
             let compute = |k: usize, values: &mut Vec<f64>| {
-                let all = group(k).iter().map(|chunk| chunk.values).sum();
+                let all = group(k).map(count).sum();
                 let mut rest = room(values, all);
-                group(k).iter().try_for_each(|chunk| {
-                    let (first, after) = std::mem::take(&mut rest).split_at_mut(chunk.values);
+                group(k).try_for_each(|k| {
+                    let (first, after) = std::mem::take(&mut rest).split_at_mut(count(k));
                     rest = after;
-                    evaluate(chunk, first)
+                    evaluate(k, first)
                 })
             };
             in_order(groups, &mut memory, compute, |k, values| {
                 let mut rest = values;
-                for chunk in group(k) {
-                    self.scatter(chunk, rest, data);
-                    rest = &rest[chunk.values..];
+                for k in group(k) {
+                    let (first, after) = rest.split_at(count(k));
+                    scatter(k, first);
+                    rest = after;
                 }
             })
         };
@@ -175,7 +178,7 @@ impl Slots {
 
     /// Adds a multiple of a matrix that is added whole, by its number and its entries in the order of its pattern.
     pub fn add_entries(&self, whole: usize, data: &mut [f64], factor: f64, entries: &[f64]) {
-        let Some(whole) = self.wholes.get(whole) else {
+        let Some(whole) = self.arrays.first().and_then(|a| a.wholes.get(whole)) else {
             return;
         };
         for (slot, value) in whole.slots.iter().zip(entries) {
@@ -187,7 +190,8 @@ impl Slots {
 
     /// The same of a matrix whose entries are kept here.
     pub fn add_kept(&self, whole: usize, data: &mut [f64], factor: f64) {
-        if let Some(Whole { values, .. }) = self.wholes.get(whole) {
+        let array = self.arrays.first();
+        if let Some(Whole { values, .. }) = array.and_then(|a| a.wholes.get(whole)) {
             self.add_entries(whole, data, factor, values);
         }
     }
@@ -195,7 +199,9 @@ impl Slots {
     fn memory(&self) -> std::sync::MutexGuard<'_, Vec<Vec<f64>>> {
         self.scratch.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
 
+impl ArraySlots {
     fn scatter(&self, chunk: &Chunk, values: &[f64], data: &mut [f64]) {
         let slots = &self.slots[chunk.pieces.clone()];
         match &self.heights {

@@ -67,6 +67,7 @@ impl GradientDescent {
     ) -> Result<Minimum, Error> {
         self.check()?;
         let mut point = Point::start(objective, start)?;
+        point.differentiate(objective)?;
         let mut direction = vec![0.0; start.len()];
         let (mut rule, mut length, mut before) = (None, 0.0, None);
         let stop = loop {
@@ -103,6 +104,7 @@ impl GradientDescent {
                     length
                 }
             };
+            point.differentiate(objective)?;
         };
         Ok(point.minimum(stop))
     }

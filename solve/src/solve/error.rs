@@ -13,7 +13,7 @@ pub enum Error {
     Objective {
         /// The step.
         step: usize,
-        /// What was asked for: `position`, `energy`, `gradient`, `hessian`, `longest step`.
+        /// What was asked for: `position`, `energy`, `gradient`, `hessian`, `gradient or hessian`, `longest step`.
         what: &'static str,
         /// Why there is none.
         source: Failure,

@@ -1,9 +1,10 @@
 //! How far to go along a direction, and what both methods share.
 
 use iheartmesh_runtime::nalgebra::DVector;
+use iheartmesh_runtime::sprs::CsMat;
 
 use super::{Error, Minimum, Progress, Stop};
-use crate::objective::{Failure, Objective};
+use crate::objective::{Failure, Objective, TwiceDifferentiable};
 
 /// What an energy falls by cannot be told from rounding where it is less than this part of the energy.
 const ROUNDING: f64 = 1e-13;
@@ -67,22 +68,20 @@ pub(super) fn named(step: usize, what: &'static str) -> impl FnOnce(Failure) -> 
 }
 
 impl Point {
-    /// The start.
+    /// The start, not yet differentiated.
     pub fn start(objective: &mut impl Objective, x: &[f64]) -> Result<Point, Error> {
         objective.set(x).map_err(named(0, "position"))?;
         let energy = objective.energy().map_err(named(0, "energy"))?;
         if !energy.is_finite() {
             return Err(Error::Energy { step: 0, energy });
         }
-        let mut point = Point {
+        Ok(Point {
             step: 0,
             x: x.to_vec(),
             energy,
             gradient: DVector::zeros(0),
             next: x.to_vec(),
-        };
-        point.differentiate(objective)?;
-        Ok(point)
+        })
     }
 
     /// The greatest absolute value in the gradient.
@@ -113,11 +112,28 @@ impl Point {
         }
     }
 
-    fn differentiate(&mut self, objective: &mut impl Objective) -> Result<(), Error> {
-        let step = self.step;
+    /// Asks for the gradient.
+    pub fn differentiate(&mut self, objective: &mut impl Objective) -> Result<(), Error> {
         objective
             .gradient(&mut self.gradient)
-            .map_err(named(step, "gradient"))?;
+            .map_err(named(self.step, "gradient"))?;
+        self.check()
+    }
+
+    /// Asks for the gradient and the Hessian.
+    pub fn differentiate_twice(
+        &mut self,
+        objective: &mut impl TwiceDifferentiable,
+        hessian: &mut CsMat<f64>,
+    ) -> Result<(), Error> {
+        objective
+            .derivatives(&mut self.gradient, hessian)
+            .map_err(named(self.step, "gradient or hessian"))?;
+        self.check()
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let step = self.step;
         let (found, expected) = (self.gradient.len(), self.x.len());
         if found != expected {
             return Err(Error::Size {
@@ -153,14 +169,13 @@ impl Point {
     }
 
     /// Goes where [`Point::try_step`] has been.
-    fn accept(&mut self, objective: &mut impl Objective, energy: f64) -> Result<(), Error> {
+    fn accept(&mut self, energy: f64) {
         std::mem::swap(&mut self.x, &mut self.next);
         self.energy = energy;
         self.step += 1;
-        self.differentiate(objective)
     }
 
-    /// A step of a given length, wherever it leads.
+    /// A step of a given length, wherever it leads; not yet differentiated there.
     pub fn walk(
         &mut self,
         objective: &mut impl Objective,
@@ -174,10 +189,11 @@ impl Point {
                 energy,
             });
         }
-        self.accept(objective, energy)
+        self.accept(energy);
+        Ok(())
     }
 
-    /// A step to where the energy is lower, and how long it was; nothing where the energy would fall by less than it is
+    /// A step to where the energy is lower, not yet differentiated there, and how long it was; nothing where the energy would fall by less than it is
     /// rounded. Where there is no such step the objective stays in place.
     pub fn search(
         &mut self,
@@ -220,7 +236,7 @@ impl Point {
             let sufficient = self.energy + rule.sufficient * length * slope;
             // where rounding makes the two sides equal nothing has moved
             if energy.is_finite() && energy <= sufficient && energy < self.energy {
-                self.accept(objective, energy)?;
+                self.accept(energy);
                 return Ok(Some(length));
             }
             length *= rule.shrink;

@@ -71,6 +71,7 @@ impl Newton {
         self.check()?;
         let mut point = Point::start(objective, start)?;
         let mut system = System::new(self);
+        self.differentiate(objective, &mut point, &mut system)?;
         let mut direction = vec![0.0; start.len()];
         let (mut length, mut decrement) = (0.0, f64::NAN);
         let stop = loop {
@@ -93,8 +94,23 @@ impl Newton {
                 Some(found) => length = found,
                 None => break Stop::Rounding,
             }
+            self.differentiate(objective, &mut point, &mut system)?;
         };
         Ok(point.minimum(stop))
+    }
+
+    /// The gradient, and with it the Hessian where a step follows whatever the gradient is.
+    fn differentiate(
+        &self,
+        objective: &mut impl TwiceDifferentiable,
+        point: &mut Point,
+        system: &mut System,
+    ) -> Result<(), Error> {
+        system.is_known = self.gradient == 0.0 && point.step < self.most_steps;
+        match system.is_known {
+            true => point.differentiate_twice(objective, &mut system.hessian),
+            false => point.differentiate(objective),
+        }
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -111,6 +127,8 @@ struct System {
     damping: f64,
     greatest_damping: f64,
     hessian: CsMat<f64>,
+    /// Whether the Hessian is that of the current point.
+    is_known: bool,
     diagonal: Vec<f64>,
     factors: Option<Cholesky>,
 }
@@ -121,6 +139,7 @@ impl System {
             damping: newton.damping,
             greatest_damping: newton.greatest_damping,
             hessian: CsMat::zero((0, 0)),
+            is_known: false,
             diagonal: Vec::new(),
             factors: None,
         }
@@ -134,9 +153,11 @@ impl System {
         direction: &mut [f64],
     ) -> Result<(), Error> {
         let step = point.step + 1;
-        objective
-            .hessian(&mut self.hessian)
-            .map_err(named(step, "hessian"))?;
+        if !self.is_known {
+            objective
+                .hessian(&mut self.hessian)
+                .map_err(named(step, "hessian"))?;
+        }
         let expected = point.x.len();
         for (what, found) in [
             ("number of rows of the hessian", self.hessian.rows()),

@@ -88,7 +88,7 @@ fn one(file: &Path, arguments: &Arguments) -> Result<bool, String> {
     let before = source.text.clone();
     let libraries = super::libraries(&source, &arguments.folders, file.parent())?;
     let after = format(source, &libraries, arguments.spelling)
-        .map_err(|(diagnostics, sources)| super::messages(&sources, &diagnostics))?;
+        .map_err(|(diagnostics, sources)| super::messages(&sources, &diagnostics, &[]))?;
     let name = if standard {
         "<stdin>".into()
     } else {

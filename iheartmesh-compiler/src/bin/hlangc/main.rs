@@ -11,11 +11,11 @@ use iheartmesh_compiler::optimize::{Optimizations, show};
 use iheartmesh_compiler::render::render;
 use iheartmesh_compiler::source::{Source, Sources};
 use iheartmesh_compiler::{
-    Library, Request, compile, imported_modules, ir, resolve, stages, syntax,
+    Library, Misfit, Request, compile, imported_modules, ir, resolve, stages_together, syntax,
 };
 
 const USAGE: &str = "\
-usage: hlangc [--emit STAGE] [--without PASS]... [--library FOLDER]... FILE.hlang
+usage: hlangc [--emit STAGE] [--without PASS]... [--together NAMES]... [--library FOLDER]... FILE.hlang
        hlangc fmt [--ascii] [--check] [--library FOLDER]... FILE.hlang...
 
 Compiles a program and prints what it is at a stage:
@@ -27,6 +27,7 @@ Compiles a program and prints what it is at a stage:
   rust    the generated Rust (the default)
 
   --without PASS     leaves out an optimisation: traverse, inline, products, share, plan, fields, orbits, slots, or all
+  --together NAMES   definitions that are asked for at once, as in `--together e,g,H`
   --library FOLDER   looks for imported modules in FOLDER as well; the standard ones are built in; the folder of the file and any
                      `neighborhoods/src` above it or above the current folder are always looked at
 
@@ -47,6 +48,7 @@ const EDGES: &str = include_str!("../../../../neighborhoods/src/PointCloudNeighb
 struct Arguments {
     emit: String,
     optimizations: Optimizations,
+    together: Vec<Vec<String>>,
     folders: Vec<PathBuf>,
     file: PathBuf,
 }
@@ -93,6 +95,7 @@ fn arguments() -> Result<Option<Arguments>, String> {
     let mut parser = lexopt::Parser::from_env();
     let mut emit = "rust".to_owned();
     let mut optimizations = Optimizations::ALL;
+    let mut together = Vec::new();
     let mut folders = Vec::new();
     let mut file = None;
     let text = |value: std::ffi::OsString| value.string().map_err(|e| e.to_string());
@@ -113,6 +116,14 @@ fn arguments() -> Result<Option<Arguments>, String> {
                     return Err(format!("there is no optimisation `{pass}`"));
                 }
             }
+            Long("together") => {
+                let names = text(parser.value().map_err(|e| e.to_string())?)?;
+                let names = names
+                    .split(',')
+                    .map(str::trim)
+                    .filter(|name| !name.is_empty());
+                together.push(names.map(str::to_owned).collect());
+            }
             Long("library") => folders.push(parser.value().map_err(|e| e.to_string())?.into()),
             Value(value) if file.is_none() => file = Some(PathBuf::from(value)),
             other => return Err(other.unexpected().to_string()),
@@ -122,6 +133,7 @@ fn arguments() -> Result<Option<Arguments>, String> {
         Some(file) => Ok(Some(Arguments {
             emit,
             optimizations,
+            together,
             folders,
             file,
         })),
@@ -154,8 +166,9 @@ fn run(arguments: &Arguments) -> Result<String, String> {
             source,
             libraries,
             optimizations: arguments.optimizations,
+            together: arguments.together.clone(),
         });
-        let messages = messages(&outcome.sources, &outcome.diagnostics);
+        let messages = messages(&outcome.sources, &outcome.diagnostics, &outcome.misfits);
         let Some(code) = outcome.code else {
             return Err(messages);
         };
@@ -163,8 +176,14 @@ fn run(arguments: &Arguments) -> Result<String, String> {
         let file = syn::parse2(code).map_err(|e| format!("bug in iheartmesh: {e}"))?;
         return Ok(prettyplease::unparse(&file));
     }
-    let stages = stages(stem, source, &libraries, arguments.optimizations);
-    let messages = messages(&stages.sources, &stages.diagnostics);
+    let stages = stages_together(
+        stem,
+        source,
+        &libraries,
+        arguments.optimizations,
+        &arguments.together,
+    );
+    let messages = messages(&stages.sources, &stages.diagnostics, &stages.misfits);
     let text = match arguments.emit.as_str() {
         "ast" => Some(syntax::dump(&stages.syntax)),
         "names" => Some(resolve::dump(&stages.resolved)),
@@ -189,12 +208,12 @@ fn capitalised(word: &str) -> String {
     }
 }
 
-fn messages(sources: &Sources, diagnostics: &Diagnostics) -> String {
-    diagnostics
-        .sorted()
-        .into_iter()
-        .map(|d| format!("{}\n", render(sources, d).trim_end()))
-        .collect()
+fn messages(sources: &Sources, diagnostics: &Diagnostics, misfits: &[Misfit]) -> String {
+    let found = diagnostics.sorted().into_iter();
+    let found = found.map(|d| format!("{}\n", render(sources, d).trim_end()));
+    let misfits = misfits.iter();
+    let misfits = misfits.map(|m| format!("error: {}\n  = help: {}\n", m.message, m.help));
+    found.chain(misfits).collect()
 }
 
 fn read(file: &Path) -> Result<Source, String> {

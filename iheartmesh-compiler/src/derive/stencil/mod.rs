@@ -14,6 +14,7 @@ mod formula;
 mod frontier;
 mod numbers;
 mod slopes;
+mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 

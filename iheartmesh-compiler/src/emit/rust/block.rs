@@ -39,6 +39,8 @@ pub(super) struct Body<'a> {
     pub(super) sizes: BTreeMap<Atom, TokenStream>,
     /// The sum of blocks with planned places that the body is.
     pub(super) slots: Option<&'a SlotSum>,
+    /// Which of its arrays blocks are added to.
+    pub(super) array: usize,
     /// The variable of a loop that is done in pieces: only the rounds in `range`.
     pub(super) rounds: Option<VariableId>,
 }
@@ -62,6 +64,7 @@ impl<'a> Body<'a> {
             variables: BTreeMap::new(),
             sizes: BTreeMap::new(),
             slots: None,
+            array: 0,
             rounds: None,
         }
     }
@@ -156,7 +159,12 @@ impl<'a> Body<'a> {
             // a reference to what is kept
             Kind::Global(_) if self.mode != Mode::Build && is_kept_array(self.ty(e)) => true,
             // its blocks are added where they stand
-            _ if self.slots.is_some() && self.is_assembled(e) => true,
+            _ if self
+                .slots
+                .is_some_and(|sum| self.is_assembled(e) || sum.tuples.contains(&e)) =>
+            {
+                true
+            }
             // a function is called where it stands
             _ if matches!(self.ty(e), Type::Function { .. }) => true,
             _ => {

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
-use crate::ir::{Function, Global};
+use crate::ir::{Function, Global, Together};
 use crate::span::Span;
 use crate::types::{Type, display::plural};
 
@@ -159,6 +159,54 @@ pub(super) fn global_into(context: &Context<'_>, global: &Global, fallible: bool
     let when = "a neighbour that the formula needs does not exist; the entries of `target` are of no use then";
     match fallible {
         true => text.push_str(&format!("\n# Errors\nWhen {when}.")),
+        false => text.push_str(&format!("\n# Panics\nWhen {when}.")),
+    }
+    lines(&text)
+}
+
+/// A method that gives several definitions.
+pub(super) fn together(
+    context: &Context<'_>,
+    together: &Together,
+    into: bool,
+    fallible: bool,
+) -> TokenStream {
+    let mut text = match into {
+        true => "Writes the values of several definitions; numbers are returned.\n",
+        false => "The values of several definitions.\n",
+    }
+    .to_owned();
+    let program = context.program();
+    for id in &together.members {
+        text.push_str(&format!(
+            "\n{}\n",
+            code(&written(context, program.global(*id).span))
+        ));
+    }
+    match context.united(together) {
+        Some(pass) => {
+            let united = together
+                .members
+                .iter()
+                .filter(|id| pass.members.contains(id));
+            let names = united.map(|id| format!("`{}`", program.global(*id).name));
+            text.push_str(&format!(
+                "\nOne pass computes {}, where two or more of them are not known already.\n",
+                names.collect::<Vec<_>>().join(", ")
+            ));
+        }
+        None => text.push_str("\nEach is computed by itself.\n"),
+    }
+    if into {
+        text.push_str(
+            "\nMemory at hand is used again where its size, and of a sparse matrix its pattern, is that of the value.\n",
+        );
+    }
+    let when = "a neighbour that a formula needs does not exist";
+    match fallible {
+        true => text.push_str(&format!(
+            "\n# Errors\nWhen {when}: that of the first definition without a value."
+        )),
         false => text.push_str(&format!("\n# Panics\nWhen {when}.")),
     }
     lines(&text)

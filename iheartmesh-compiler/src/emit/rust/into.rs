@@ -11,7 +11,7 @@ impl Context<'_> {
     /// whose size the program does not fix.
     pub(super) fn has_into(&self, id: GlobalId) -> bool {
         let ty = self.program().arena.ty(self.program().global(id).value);
-        super::slots::is_of_any_size(ty)
+        ty.is_of_any_size()
     }
 
     /// `…_into` and `try_…_into`.
@@ -73,7 +73,7 @@ impl Context<'_> {
                     return ::std::result::Result::Ok(());
                 }
                 let slots = #slots(s)?;
-                #fill(s, &slots, rt::Reuse::entries_of(target, &slots))
+                #fill(s, &slots, &mut [rt::Reuse::entries_of(target, slots.pattern(0))], &mut [])
             }
         }
     }

@@ -1,16 +1,16 @@
 //! The struct, its private module, and `new`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::block::{Body, Mode, variable_ident};
-use super::{Context, Header, docs, names};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use super::taken::RustNames;
+use super::{Clash, Context, Header, docs, names};
+use crate::diagnostic::Diagnostics;
 use crate::ir::{Export, ExprId, FunctionId, GlobalId, Kind};
 use crate::optimize::Plan;
-use crate::span::Span;
 use crate::types::Type;
 
 /// All items of a program.
@@ -18,6 +18,7 @@ pub(super) fn items(
     context: &Context<'_>,
     header: &Header,
     diagnostics: &mut Diagnostics,
+    clashes: &mut Vec<Clash>,
 ) -> TokenStream {
     let Header {
         name,
@@ -31,6 +32,7 @@ pub(super) fn items(
     let mut rust_names = RustNames::new(diagnostics);
     let methods = context.methods(&mut rust_names);
     let setters = context.setters(&mut rust_names);
+    let together = context.methods_together(&mut rust_names, clashes);
     let arguments = &methods.module;
     let inner = context.module_items();
     let parameters: Vec<(Ident, TokenStream)> = context.new_parameters();
@@ -89,6 +91,7 @@ pub(super) fn items(
 
             #methods
             #setters
+            #together
         }
     }
 }
@@ -106,52 +109,6 @@ pub(super) fn is_converted(ty: &Type) -> bool {
 /// The local name of a field of values.
 pub(super) fn field_name(id: FunctionId) -> Ident {
     format_ident!("field{}", id.0)
-}
-
-/// The Rust names of methods, to find clashes.
-pub(super) struct RustNames<'a> {
-    known: BTreeMap<String, (String, Span)>,
-    diagnostics: &'a mut Diagnostics,
-}
-
-impl<'a> RustNames<'a> {
-    fn new(diagnostics: &'a mut Diagnostics) -> Self {
-        Self {
-            known: BTreeMap::from(
-                [
-                    ("new", "the constructor"),
-                    ("SOURCE", "the text of the program"),
-                ]
-                .map(|(name, what)| (name.to_owned(), (what.to_owned(), Span::default()))),
-            ),
-            diagnostics,
-        }
-    }
-
-    /// Takes a name for something; a clash is reported.
-    pub(super) fn take(&mut self, rust: &str, what: &str, span: Span) -> bool {
-        if let Some((other, place)) = self.known.get(rust) {
-            let message = format!("{what} and {other} have the same name in Rust, `{rust}`");
-            let mut diagnostic = Diagnostic::error(span, message);
-            if *place != Span::default() {
-                diagnostic = diagnostic.label(*place, "the other one");
-            }
-            self.diagnostics
-                .push(diagnostic.help("rename one of the two"));
-            return false;
-        }
-        self.known.insert(rust.to_owned(), (what.to_owned(), span));
-        true
-    }
-
-    /// Takes an additional name, if it is free.
-    pub(super) fn alias(&mut self, rust: &str, what: &str, span: Span) -> bool {
-        if self.known.contains_key(rust) {
-            return false;
-        }
-        self.known.insert(rust.to_owned(), (what.to_owned(), span));
-        true
-    }
 }
 
 impl Context<'_> {
@@ -194,6 +151,9 @@ impl Context<'_> {
             &plans.functions,
         );
         let globals: Vec<GlobalId> = (0..program.globals.len() as u32).map(GlobalId).collect();
+        let (passes, globals): (Vec<GlobalId>, Vec<GlobalId>) = globals
+            .into_iter()
+            .partition(|id| program.pass(*id).is_some());
         let (fixed, changing): (Vec<GlobalId>, Vec<GlobalId>) = globals
             .into_iter()
             .partition(|id| self.is_static_global(*id));
@@ -203,7 +163,8 @@ impl Context<'_> {
         let changing_starts = changing.iter().map(|id| self.cache_start(*id));
         let fixed_methods = fixed.iter().map(|id| self.cache_method(*id));
         let changing_methods = changing.iter().map(|id| self.cache_method(*id));
-        let slots = changing.iter().filter_map(|id| self.slots_field(*id));
+        let slots = changing.iter().chain(&passes);
+        let slots = slots.filter_map(|id| self.slots_field(*id));
         let (slot_names, slot_types): (Vec<_>, Vec<_>) = slots.unzip();
         let functions: TokenStream = program.function_ids().map(|id| self.function(id)).collect();
         let compute: TokenStream = fixed
@@ -213,6 +174,7 @@ impl Context<'_> {
                 let (compute, slots) = (self.compute(*id), self.slot_functions(*id));
                 quote!(#compute #slots)
             })
+            .chain(passes.iter().map(|id| self.slot_functions(*id)))
             .collect();
         let checks = self
             .values()
@@ -363,7 +325,7 @@ impl Context<'_> {
                 quote!(fn #name(t: &Topology<'_>) -> rt::Fallible<#ty> { #body })
             }
             Some(staged) if self.slot_sums.contains_key(&id) => {
-                let filled = self.filled(staged.body);
+                let filled = self.filled(staged.body, 0, &quote!(data));
                 let (slots, fill) = (
                     format_ident!("slots_{}", self.global_name(id)),
                     format_ident!("fill_{}", self.global_name(id)),
@@ -371,8 +333,8 @@ impl Context<'_> {
                 quote! {
                     fn #name(s: &State<'_>) -> rt::Fallible<#ty> {
                         let slots = #slots(s)?;
-                        let mut data = ::std::vec![0.0f64; slots.entries()];
-                        #fill(s, &slots, &mut data)?;
+                        let mut data = ::std::vec![0.0f64; slots.pattern(0).entries()];
+                        #fill(s, &slots, &mut [&mut data], &mut [])?;
                         ::std::result::Result::Ok(#filled)
                     }
                 }

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::item::RustNames;
+use super::taken::RustNames;
 use super::{Context, docs, names};
 use crate::ir::{Function, FunctionId, GlobalId, Parameter};
 use crate::types::Type;

@@ -32,8 +32,12 @@ mod slot_units;
 mod slots;
 mod steps;
 mod tabulate;
+mod taken;
 mod tie;
+mod together;
 mod types;
+
+pub use names::{ascii_alias, rust_name};
 
 use std::collections::BTreeMap;
 
@@ -61,12 +65,24 @@ pub struct Header {
     pub source: String,
 }
 
+/// A method of definitions that are asked for together, whose name is taken.
+#[derive(Clone, Debug)]
+pub struct Clash {
+    /// Which of [`Program::together`].
+    pub list: usize,
+    /// The name.
+    pub method: String,
+    /// What has it.
+    pub other: String,
+}
+
 /// The items that a program becomes. Clashes of Rust names are reported.
 pub fn emit(
     staged: &StagedProgram,
     sources: &Sources,
     header: &Header,
     diagnostics: &mut Diagnostics,
+    clashes: &mut Vec<Clash>,
 ) -> TokenStream {
     let mut context = Context {
         staged,
@@ -77,7 +93,7 @@ pub fn emit(
         slot_sums: BTreeMap::new(),
     };
     context.slot_sums = context.find_slot_sums();
-    item::items(&context, header, diagnostics)
+    item::items(&context, header, diagnostics, clashes)
 }
 
 /// What every part of the emitter needs.

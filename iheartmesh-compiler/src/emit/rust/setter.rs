@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::item::RustNames;
+use super::taken::RustNames;
 use super::{Context, docs, names};
 use crate::ir::{ExprId, GlobalId, InputId, Kind};
 
@@ -134,6 +134,7 @@ impl Context<'_> {
         (0..program.globals.len())
             .filter(|k| globals[*k])
             .map(|k| GlobalId(k as u32))
+            .filter(|id| program.pass(*id).is_none())
             .collect()
     }
 }

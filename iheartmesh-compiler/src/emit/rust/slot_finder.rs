@@ -14,22 +14,27 @@ pub(super) struct Finder<'a> {
     /// Those of earlier definitions.
     others: &'a BTreeMap<GlobalId, SlotSum>,
     pub(super) sum: SlotSum,
+    /// The array that blocks are added to.
+    array: usize,
     seen: BTreeSet<ExprId>,
     /// How many choices inside of blocks with replaced eigenvalues were met.
     choices: usize,
 }
 
 impl<'a> Finder<'a> {
+    /// For a value of this type, or a tuple of several.
     pub(super) fn new(
         context: &'a Context<'a>,
         plan: &'a Plan,
         others: &'a BTreeMap<GlobalId, SlotSum>,
+        ty: &Type,
     ) -> Self {
         Self {
             context,
             plan,
             others,
-            sum: SlotSum::default(),
+            sum: SlotSum::of(ty),
+            array: 0,
             seen: BTreeSet::new(),
             choices: 0,
         }
@@ -41,6 +46,7 @@ impl<'a> Finder<'a> {
 
     /// The terms of a sum; all of them are scaled by what stands around it.
     pub(super) fn terms(&mut self, e: ExprId, scales: &mut Vec<Scale>) -> Option<()> {
+        self.note_tuple(e);
         let inner = match *self.kind(e) {
             Kind::Binary(op @ (Binary::Add | Binary::Subtract), a, b) => {
                 self.once(e)?;
@@ -90,12 +96,14 @@ impl<'a> Finder<'a> {
                     self.sum.keys.push(*key);
                 }
             }
-            for size in &other.sizes {
+            let sizes = &other.arrays.first()?.sizes;
+            for size in sizes {
                 self.steady(*size, &[])?;
             }
             self.sum.inputs.extend(&other.inputs);
-            if self.sum.sizes.is_empty() {
-                self.sum.sizes.clone_from(&other.sizes);
+            let known = &mut self.sum.arrays.get_mut(self.array)?.sizes;
+            if known.is_empty() {
+                known.clone_from(sizes);
             }
             return Some(Parts::Definition(id));
         }
@@ -111,8 +119,24 @@ impl<'a> Finder<'a> {
         self.seen.insert(e).then_some(())
     }
 
+    fn note_tuple(&mut self, e: ExprId) {
+        if matches!(self.context.program().arena.ty(e), Type::Tuple(_)) {
+            self.sum.tuples.insert(e);
+        }
+    }
+
     fn steps(&mut self, e: ExprId, bound: &mut Vec<VariableId>) -> Option<Vec<Step>> {
+        self.note_tuple(e);
         match self.kind(e).clone() {
+            Kind::Tuple(items) => {
+                let mut steps = Vec::new();
+                let arrays = items.into_iter().take(self.sum.arrays.len());
+                for (array, item) in arrays.enumerate() {
+                    self.array = array;
+                    steps.extend(self.steps(item, bound)?);
+                }
+                Some(steps)
+            }
             Kind::Assemble { sizes, blocks } => {
                 self.sizes(&sizes)?;
                 let mut steps = Vec::new();
@@ -128,6 +152,7 @@ impl<'a> Finder<'a> {
                         _ => return None,
                     };
                     steps.push(Step::Block {
+                        array: self.array,
                         rows: block.rows.clone(),
                         columns: block.columns.clone(),
                         height,
@@ -140,6 +165,7 @@ impl<'a> Finder<'a> {
                 self.once(e)?;
                 let unit = self.unit(e, a, bound, false)?;
                 Some(vec![Step::Block {
+                    array: self.array,
                     rows: unit.places.clone(),
                     columns: unit.places,
                     height: unit.height,
@@ -178,12 +204,13 @@ impl<'a> Finder<'a> {
                     otherwise: self.count(&otherwise),
                     same,
                 };
+                let [a, b] = [&branches.then, &branches.otherwise].map(Option::is_some);
                 self.sum.branches.insert(e, branches);
                 if same {
                     return Some(then);
                 }
-                let mut steps = branch(then, branches.then);
-                steps.extend(branch(otherwise, branches.otherwise));
+                let mut steps = branch(then, a);
+                steps.extend(branch(otherwise, b));
                 Some(steps)
             }
             Kind::Fold {
@@ -209,13 +236,13 @@ impl<'a> Finder<'a> {
                 let mut steps = steps?;
                 if !is_steady {
                     let then = self.count(&steps);
+                    steps = branch(steps, then.is_some());
                     let branches = Branches {
                         then,
-                        otherwise: Some(Count::default()),
+                        otherwise: Some(Vec::new()),
                         same: false,
                     };
                     self.sum.branches.insert(e, branches);
-                    steps = branch(steps, then);
                 }
                 Some(vec![Step::Loop { fold: e, steps }])
             }
@@ -227,10 +254,11 @@ impl<'a> Finder<'a> {
         for size in sizes {
             self.steady(*size, &[])?;
         }
-        if self.sum.sizes.is_empty() {
-            self.sum.sizes = sizes.to_vec();
+        let known = &mut self.sum.arrays.get_mut(self.array)?.sizes;
+        if known.is_empty() {
+            *known = sizes.to_vec();
         }
-        (self.sum.sizes == sizes).then_some(())
+        (known == sizes).then_some(())
     }
 
     /// The product of a block whose eigenvalues are replaced, and a vector or a dense matrix that has a name.
@@ -246,15 +274,18 @@ impl<'a> Finder<'a> {
         let Unit { places, height, .. } = self.unit(block, a, bound, true)?;
         let arena = &self.context.program().arena;
         let is_named = matches!(self.kind(factor), Kind::Global(_) | Kind::Input(_));
-        match (arena.ty(factor).shape()?, &self.sum.sizes[..]) {
+        let array = self.array;
+        match (arena.ty(factor).shape()?, &self.sum.arrays[array].sizes[..]) {
             _ if !is_named => None,
             (Shape::Vector(_), [_]) => Some(vec![Step::Block {
+                array,
                 rows: places,
                 columns: Vec::new(),
                 height,
                 width: 1,
             }]),
             (Shape::Matrix(..), [_, columns]) => Some(vec![Step::Columns {
+                array,
                 rows: places,
                 columns: *columns,
                 height,
@@ -329,23 +360,20 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn count(&self, steps: &[Step]) -> Option<Count> {
-        let mut all = Count::default();
+    /// The values of some steps in each array; nothing where only the plan knows.
+    fn count(&self, steps: &[Step]) -> Option<Vec<Count>> {
+        let mut all = vec![Count::default(); self.sum.arrays.len()];
         for step in steps {
-            let count = match step {
+            let (array, pieces, height) = match step {
                 Step::Block {
+                    array,
                     rows,
                     columns,
                     height,
                     width,
-                } => {
-                    let pieces = rows.len() * columns.len().max(1) * width;
-                    Count {
-                        values: pieces * height,
-                        pieces,
-                    }
-                }
+                } => (*array, rows.len() * columns.len().max(1) * width, height),
                 Step::Columns {
+                    array,
                     rows,
                     columns,
                     height,
@@ -353,30 +381,31 @@ impl<'a> Finder<'a> {
                     let Kind::Integer(columns) = self.kind(*columns) else {
                         return None;
                     };
-                    let pieces = rows.len() * usize::try_from(*columns).ok()?;
-                    Count {
-                        values: pieces * height,
-                        pieces,
-                    }
+                    let columns = usize::try_from(*columns).ok()?;
+                    (*array, rows.len() * columns, height)
                 }
                 Step::Choice {
                     condition,
                     then,
                     otherwise,
                 } => {
-                    let count = self.count(then)?;
+                    let counts = self.count(then)?;
                     let arena = &self.context.program().arena;
                     let may_fail = self.context.may_fail.expr(arena, *condition)
                         || may_hold_mark(self.context, self.plan, *condition);
-                    if may_fail || self.count(otherwise)? != count {
+                    if may_fail || self.count(otherwise)? != counts {
                         return None;
                     }
-                    count
+                    for (sum, count) in all.iter_mut().zip(counts) {
+                        sum.values += count.values;
+                        sum.pieces += count.pieces;
+                    }
+                    continue;
                 }
                 Step::Loop { .. } | Step::Branch(_) => return None,
             };
-            all.values += count.values;
-            all.pieces += count.pieces;
+            all[array].values += pieces * height;
+            all[array].pieces += pieces;
         }
         Some(all)
     }
@@ -438,10 +467,10 @@ fn may_hold_mark(context: &Context<'_>, plan: &Plan, e: ExprId) -> bool {
 }
 
 /// The steps of a branch that depends on values, where they are so many.
-fn branch(steps: Vec<Step>, count: Option<Count>) -> Vec<Step> {
-    match count {
-        Some(_) => steps,
-        None => vec![Step::Branch(steps)],
+fn branch(steps: Vec<Step>, is_counted: bool) -> Vec<Step> {
+    match is_counted {
+        true => steps,
+        false => vec![Step::Branch(steps)],
     }
 }
 

@@ -6,37 +6,17 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
 use super::block::{Body, Mode};
 use super::place::{Part, RegionId, Roots};
-use super::slots::{Count, Parts, SlotSum, Step, Term, is_in_rounds};
+use super::slots::{Parts, SlotSum, Step, Term, is_in_rounds};
 use crate::ir::{Binary, ExprId, GlobalId, Kind, Range, Unary};
 use crate::optimize::{Plan, reachable};
-use crate::types::Type;
 
 impl Context<'_> {
-    /// The field that keeps the places of a definition.
-    pub(super) fn slots_field(&self, id: GlobalId) -> Option<(Ident, TokenStream)> {
-        let sum = self.slot_sums.get(&id)?;
-        let n = Literal::usize_unsuffixed(sum.sizes_and_keys().count());
-        Some((format_ident!("slots{}", id.0), quote!(rt::Planned<#n>)))
-    }
-
-    /// How a sum becomes a value of its type, of `slots` and `data`.
-    pub(super) fn filled(&self, e: ExprId) -> TokenStream {
-        let krate = self.krate;
-        match self.program().arena.ty(e) {
-            ty if ty.is_sparse() => quote!(slots.matrix(data)),
-            Type::Vector { .. } => quote!(#krate::nalgebra::DVector::from_vec(data)),
-            _ => {
-                quote!(#krate::nalgebra::DMatrix::from_vec(slots.rows(), slots.columns(), data))
-            }
-        }
-    }
-
     /// Statements that compute the definitions which terms ask for. Terms are added by several threads; what one of them
     /// computes first must not be waited for by a task that it takes up meanwhile. Whether one fails is seen at its use.
     fn known_before(&self, e: ExprId) -> TokenStream {
@@ -89,11 +69,16 @@ impl Context<'_> {
                 }
             });
         }
-        let into = self.function_into(id);
+        let others = match self.program().pass(id) {
+            Some(pass) => self.pass_functions(pass),
+            None => self.function_into(id),
+        };
+        let arrays = Literal::usize_unsuffixed(sum.arrays.len());
+        let totals = Literal::usize_unsuffixed(sum.totals);
         quote! {
-            #into
+            #others
             pub fn #slots(s: &State<'_>) -> rt::Fallible<::std::sync::Arc<rt::Slots>> { #before_places #places }
-            pub fn #fill(s: &State<'_>, slots: &rt::Slots, data: &mut [f64]) -> rt::Fallible<()> {
+            pub fn #fill(s: &State<'_>, slots: &rt::Slots, data: &mut [&mut [f64]; #arrays], totals: &mut [f64; #totals]) -> rt::Fallible<()> {
                 #known
                 #prelude
                 #statements
@@ -131,14 +116,9 @@ impl Context<'_> {
         let statements = body.statements(RegionId(outside), &[]);
         let sizes: Vec<TokenStream> = sum.sizes_and_keys().map(|e| body.owned(e)).collect();
         let before = body.statements(RegionId(inside), &[]);
-        let columns = match sum.sizes.len() {
-            1 => quote!(1),
-            _ => quote!(rt::size(all[1])),
-        };
-        let places = match self.program().arena.ty(sum.terms[0].value).is_sparse() {
-            true => quote!(sparse),
-            false => quote!(dense),
-        };
+        let layouts = sum.layouts();
+        let totals = Literal::usize_unsuffixed(sum.totals);
+        body.slots = Some(sum);
         let terms: TokenStream = terms
             .iter()
             .map(|(term, steps)| {
@@ -173,7 +153,7 @@ impl Context<'_> {
             let all = [#(#sizes),*];
             s.#field.get(all, || {
                 #before
-                let mut places = rt::Places::#places(rt::size(all[0]), #columns);
+                let mut places = rt::Places::new(&[#layouts], #totals);
                 #terms
                 places.finish(#site)
             })
@@ -286,7 +266,7 @@ impl Body<'_> {
                 Placed::Block(step) => self.places_of_block(step),
                 Placed::Branch(steps) => {
                     let steps = self.places_of(steps, &nothing);
-                    quote!({ let branch = places.enter(); #steps places.leave(branch); })
+                    quote!(places.enter(); #steps places.leave();)
                 }
                 Placed::Loop {
                     fold,
@@ -331,21 +311,21 @@ impl Body<'_> {
     }
 
     fn places_of_block(&mut self, step: &Step) -> TokenStream {
-        let (rows, columns, height, width) = match step {
-            Step::Block {
-                rows,
-                columns,
-                height,
-                width,
-            } => (self.places(rows), self.places(columns), *height, *width),
+        let (Step::Block { array, rows, .. } | Step::Columns { array, rows, .. }) = step else {
+            panic!("bug in iheartmesh: no block");
+        };
+        let rows = self.places(rows);
+        let array = Literal::usize_unsuffixed(*array);
+        let several = self.slots.is_some_and(|sum| sum.arrays.len() > 1);
+        let array = several.then(|| quote!(places.array(#array);));
+        match step {
             Step::Columns {
-                rows,
-                columns,
-                height,
+                columns, height, ..
             } => {
-                let (rows, columns) = (self.places(rows), self.owned(*columns));
+                let columns = self.owned(*columns);
                 let height = Literal::usize_unsuffixed(*height);
-                return quote! {
+                quote! {
+                    #array
                     for column in 0..rt::size(#columns) {
                         places.block(
                             (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [column])) })().ok(),
@@ -353,20 +333,26 @@ impl Body<'_> {
                             1,
                         );
                     }
-                };
+                }
             }
-            _ => panic!("bug in iheartmesh: no block"),
-        };
-        let (height, width) = (
-            Literal::usize_unsuffixed(height),
-            Literal::usize_unsuffixed(width),
-        );
-        quote! {
-            places.block(
-                (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [#(#columns),*])) })().ok(),
-                #height,
-                #width,
-            );
+            Step::Block {
+                columns,
+                height,
+                width,
+                ..
+            } => {
+                let columns = self.places(columns);
+                let [height, width] = [*height, *width].map(Literal::usize_unsuffixed);
+                quote! {
+                    #array
+                    places.block(
+                        (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [#(#columns),*])) })().ok(),
+                        #height,
+                        #width,
+                    );
+                }
+            }
+            _ => TokenStream::new(),
         }
     }
 
@@ -377,18 +363,34 @@ impl Body<'_> {
         };
         match self.kind(e) {
             Kind::Assemble { blocks, .. } => {
-                let site = self.context.site(e);
+                let (site, array) = (self.context.site(e), self.array_number());
                 let blocks = blocks.iter().map(|block| {
                     let value = self.reference(block.value);
                     let pieces = self.context.pieces(block).unwrap_or(0);
                     let pieces = Literal::usize_unsuffixed(pieces);
-                    quote!(terms.block(#value, #pieces, #site)?;)
+                    quote!(terms[#array].block(#value, #pieces, #site)?;)
                 });
                 blocks.collect()
             }
+            Kind::Tuple(items) => {
+                let (arrays, totals) = items.split_at(sum.arrays.len());
+                let mut code = TokenStream::new();
+                for (k, item) in arrays.iter().enumerate() {
+                    self.array = k;
+                    code.extend(self.terms(*item));
+                }
+                for (k, item) in totals.iter().enumerate() {
+                    if !matches!(self.kind(*item), Kind::Real(0)) {
+                        let value = self.owned(*item);
+                        let k = Literal::usize_unsuffixed(k);
+                        code.extend(quote!(totals[#k] += #value;));
+                    }
+                }
+                code
+            }
             Kind::Unary(Unary::Negate, a) => {
-                let steps = self.terms(*a);
-                quote!({ let from = terms.position(); #steps terms.scale(from, -1.0); })
+                let (steps, array) = (self.terms(*a), self.array_number());
+                quote!({ let from = terms[#array].position(); #steps terms[#array].scale(from, -1.0); })
             }
             Kind::Unary(op, a) => self.symmetric(e, *op, *a, &sum.units[&e]),
             Kind::Binary(Binary::Product, block, factor) => {
@@ -396,17 +398,17 @@ impl Body<'_> {
             }
             Kind::Binary(Binary::Multiply, k, a) => {
                 let k = self.owned(*k);
-                let steps = self.terms(*a);
-                quote!({ let (k, from) = (#k, terms.position()); #steps terms.scale(from, k); })
+                let (steps, array) = (self.terms(*a), self.array_number());
+                quote!({ let (k, from) = (#k, terms[#array].position()); #steps terms[#array].scale(from, k); })
             }
             Kind::Binary(Binary::Divide, a, k) => {
                 let k = self.owned(*k);
-                let steps = self.terms(*a);
-                quote!({ let (k, from) = (#k, terms.position()); #steps terms.divide(from, k); })
+                let (steps, array) = (self.terms(*a), self.array_number());
+                quote!({ let (k, from) = (#k, terms[#array].position()); #steps terms[#array].divide(from, k); })
             }
             Kind::Binary(Binary::Subtract, a, b) => {
-                let (a, b) = (self.terms(*a), self.terms(*b));
-                quote!(#a { let from = terms.position(); #b terms.scale(from, -1.0); })
+                let (a, b, array) = (self.terms(*a), self.terms(*b), self.array_number());
+                quote!(#a { let from = terms[#array].position(); #b terms[#array].scale(from, -1.0); })
             }
             Kind::Binary(_, a, b) => {
                 let (a, b) = (self.terms(*a), self.terms(*b));
@@ -419,8 +421,9 @@ impl Body<'_> {
                 match sum.branches.get(&e).filter(|branches| !branches.same) {
                     None => quote!(if #condition { #then } else { #otherwise }),
                     Some(branches) => {
-                        let (after, before) = (skip(branches.otherwise), skip(branches.then));
-                        let (a, b) = (enter(branches.then), enter(branches.otherwise));
+                        let both = [&branches.then, &branches.otherwise];
+                        let [before, after] = both.map(|counts| sum.skip(counts));
+                        let [a, b] = both.map(|counts| sum.enter(counts));
                         quote!(if #condition { #a #then #after } else { #before #b #otherwise })
                     }
                 }
@@ -429,8 +432,8 @@ impl Body<'_> {
                 let body = *body;
                 let (start, otherwise) = match sum.branches.get(&e) {
                     Some(branches) => {
-                        let skip = skip(branches.then);
-                        (enter(branches.then), quote!(else { #skip }))
+                        let skip = sum.skip(&branches.then);
+                        (sum.enter(&branches.then), quote!(else { #skip }))
                     }
                     None => (TokenStream::new(), TokenStream::new()),
                 };
@@ -444,33 +447,15 @@ impl Body<'_> {
         }
     }
 
+    /// The array to which blocks are added.
+    pub(super) fn array_number(&self) -> Literal {
+        Literal::usize_unsuffixed(self.array)
+    }
+
     fn branch(&mut self, e: ExprId, part: Part, value: ExprId) -> TokenStream {
         let region = self.placement.part(e, part);
         let statements = self.statements(region, &[]);
         let steps = self.terms(value);
         quote!(#statements #steps)
-    }
-}
-
-/// Passes over a branch that is not taken.
-fn skip(count: Option<Count>) -> TokenStream {
-    let Some(Count { values, pieces }) = count else {
-        return quote!(terms.pass(););
-    };
-    if values == 0 {
-        return TokenStream::new();
-    }
-    let (values, pieces) = (
-        Literal::usize_unsuffixed(values),
-        Literal::usize_unsuffixed(pieces),
-    );
-    quote!(terms.skip(#values, #pieces);)
-}
-
-/// Starts a branch that is taken.
-fn enter(count: Option<Count>) -> TokenStream {
-    match count {
-        Some(_) => TokenStream::new(),
-        None => quote!(terms.enter();),
     }
 }

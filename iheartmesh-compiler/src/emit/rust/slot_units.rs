@@ -19,8 +19,8 @@ impl Body<'_> {
         unit: &Unit,
     ) -> TokenStream {
         let (block, places, part) = self.unit(op, a, unit);
-        let site = self.context.site(e);
-        quote!(terms.symmetric(#block, [#(#places),*], #part, #site)?;)
+        let (site, array) = (self.context.site(e), self.array_number());
+        quote!(terms[#array].symmetric(#block, [#(#places),*], #part, #site)?;)
     }
 
     /// The product of such a block and the rows of a vector or dense matrix at its places.
@@ -36,8 +36,8 @@ impl Body<'_> {
         };
         let (block, places, part) = self.unit(op, a, unit);
         let factor = self.reference(factor);
-        let site = self.context.site(e);
-        quote!(terms.symmetric_product(#block, [#(#places),*], #part, #factor, #site)?;)
+        let (site, array) = (self.context.site(e), self.array_number());
+        quote!(terms[#array].symmetric_product(#block, [#(#places),*], #part, #factor, #site)?;)
     }
 
     /// A block, its places, and what replaces its eigenvalues.

@@ -23,6 +23,8 @@ use crate::types::{Shape, Type};
 pub(super) enum Step {
     /// A block in parts of a height and a width.
     Block {
+        /// The array that it is added to.
+        array: usize,
         rows: Vec<ExprId>,
         columns: Vec<ExprId>,
         height: usize,
@@ -30,6 +32,7 @@ pub(super) enum Step {
     },
     /// Blocks in parts of a height, one in each column of the result: this is how many it has.
     Columns {
+        array: usize,
         rows: Vec<ExprId>,
         columns: ExprId,
         height: usize,
@@ -53,12 +56,12 @@ pub(super) struct Count {
     pub(super) pieces: usize,
 }
 
-/// What is passed over where a branch is not taken: the values of each of the two.
-#[derive(Clone, Copy, Debug)]
+/// What is passed over where a branch is not taken: the values of each of the two, array by array.
+#[derive(Clone, Debug)]
 pub(super) struct Branches {
     /// Nothing where it is known only from the plan: there are loops in it.
-    pub(super) then: Option<Count>,
-    pub(super) otherwise: Option<Count>,
+    pub(super) then: Option<Vec<Count>>,
+    pub(super) otherwise: Option<Vec<Count>>,
     /// Both are at the same places.
     pub(super) same: bool,
 }
@@ -100,12 +103,24 @@ pub(super) struct Term {
     pub(super) parts: Parts,
 }
 
-/// A sum of blocks with planned places.
+/// An array that blocks are added to.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sizes {
+    pub(super) sparse: bool,
+    /// Its numbers of rows and columns.
+    pub(super) sizes: Vec<ExprId>,
+}
+
+/// A sum of blocks with planned places, or several that are computed in one pass.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SlotSum {
     pub(super) terms: Vec<Term>,
-    /// Its numbers of rows and columns.
-    pub(super) sizes: Vec<ExprId>,
+    /// What it is put together in.
+    pub(super) arrays: Vec<Sizes>,
+    /// How many numbers are added up beside the arrays.
+    pub(super) totals: usize,
+    /// The tuples of a pass, with sums, choices and loops of them.
+    pub(super) tuples: BTreeSet<ExprId>,
     /// What its loops and places depend on besides the mesh: sizes.
     pub(super) keys: Vec<ExprId>,
     /// The same: sets, elements and integers.
@@ -117,10 +132,31 @@ pub(super) struct SlotSum {
 }
 
 impl SlotSum {
+    /// What there is in a value of this type, or in a tuple of several.
+    pub(super) fn of(ty: &Type) -> Self {
+        let mut sum = Self::default();
+        let items = match ty {
+            Type::Tuple(items) => items,
+            ty => std::slice::from_ref(ty),
+        };
+        for item in items {
+            match item.is_scalar() {
+                true => sum.totals += 1,
+                false => sum.arrays.push(Sizes {
+                    sparse: item.is_sparse(),
+                    sizes: Vec::new(),
+                }),
+            }
+        }
+        sum
+    }
+
     /// All that the slots are made for: sizes, of the matrix and of what the loops run over.
     pub(super) fn sizes_and_keys(&self) -> impl Iterator<Item = ExprId> {
-        let keys = self.keys.iter().filter(|key| !self.sizes.contains(key));
-        self.sizes.iter().chain(keys).copied()
+        let sizes = || self.arrays.iter().flat_map(|array| &array.sizes);
+        let keys = self.keys.iter();
+        let keys = keys.filter(move |key| !sizes().any(|size| size == *key));
+        sizes().chain(keys).copied()
     }
 }
 
@@ -133,13 +169,19 @@ impl Context<'_> {
         }
         for (id, staged) in &self.staged.globals {
             let arena = &self.program().arena;
-            if !is_of_any_size(arena.ty(staged.body)) {
+            let is_pass = self.program().pass(*id).is_some();
+            if !is_pass && !arena.ty(staged.body).is_of_any_size() {
                 continue;
             }
-            let mut finder = Finder::new(self, &staged.plan, &found);
-            if finder.terms(staged.body, &mut Vec::new()).is_some() && !finder.sum.sizes.is_empty()
-            {
-                let sum = finder.sum;
+            let terms = match (is_pass, arena.kind(staged.body)) {
+                (true, Kind::Tuple(terms)) => terms.clone(),
+                _ => vec![staged.body],
+            };
+            let mut finder = Finder::new(self, &staged.plan, &found, arena.ty(terms[0]));
+            let mut terms = terms.into_iter();
+            let all = terms.try_for_each(|term| finder.terms(term, &mut Vec::new()));
+            let sum = finder.sum;
+            if all.is_some() && sum.arrays.iter().all(|array| !array.sizes.is_empty()) {
                 found.insert(*id, sum);
             }
         }
@@ -166,17 +208,6 @@ impl Context<'_> {
             true => block.rows.len(),
             false => block.rows.len() * columns,
         })
-    }
-}
-
-/// Whether a type is that of sparse matrices, or of vectors and matrices whose size the program does not fix.
-pub(super) fn is_of_any_size(ty: &Type) -> bool {
-    let fixed = |n: &crate::types::Dimension| n.value().is_some();
-    match ty.shape() {
-        _ if ty.is_integer() => false,
-        Some(Shape::Matrix(n, m)) => ty.is_sparse() || !(fixed(&n) && fixed(&m)),
-        Some(Shape::Vector(n)) => !ty.is_sparse() && !fixed(&n),
-        _ => false,
     }
 }
 
