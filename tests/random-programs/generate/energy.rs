@@ -90,6 +90,17 @@ impl Generator {
                 lines.push("Pg = P g0".to_owned());
                 definitions.push("Pg".to_owned());
             }
+            match self.random.usize(0..3) {
+                0 => {
+                    lines.push("W = H0 - 2 P / 3".to_owned());
+                    definitions.push("W".to_owned());
+                }
+                1 => {
+                    lines.push("W = (H0 - P)ᵀ [g0 (2 g0)]".to_owned());
+                    definitions.push("W".to_owned());
+                }
+                _ => {}
+            }
         }
         let variables = variables.into_iter().map(|(name, _)| name).collect();
         Energy {
