@@ -266,6 +266,10 @@ fn vtk() {
             format!("15: the values have -2 components; {damaged}"),
         ),
         (
+            "{cells}CELL_DATA 1\nSCALARS a double x\nLOOKUP_TABLE default\n1\n",
+            "14: the number of components `x` is no whole number; write it as 3".to_owned(),
+        ),
+        (
             "{cells}CELL_DATA 1\nVECTORS b double\n0 0\n",
             format!("15: the file ends before a value; {truncated}"),
         ),

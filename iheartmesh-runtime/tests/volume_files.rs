@@ -192,11 +192,12 @@ fn what_a_format_cannot_hold_is_not_written() {
         message("a.vtk", &file),
         "a.vtk: the attribute `volume` has 1 values for 4 cells; give one for each"
     );
-    file.attributes = Attributes::new().cell_scalar("my volume", [1.0, 2.0, 3.0, 4.0]);
+    file.attributes = Attributes::new().cell_scalar("", [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(
         message("a.vtk", &file),
-        "a.vtk: `my volume` cannot be the name of values in a VTK file; use a name without blanks"
+        "a.vtk: values in a VTK file have a name, but that of an attribute is empty; give it one"
     );
+    file.attributes = Attributes::new().cell_scalar("my volume", [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(
         message("a.mesh", &file),
         "a.mesh: a MEDIT file cannot hold the cell attribute `my volume`; write a .vtk file"
@@ -372,4 +373,33 @@ fn volumes_of_the_reference_set() {
     for name in ["kuhn_cube3", "tet_single", "two_tets_fig3", "tet_bunny"] {
         check_reference(&directory, name);
     }
+}
+
+#[test]
+fn any_name_stands_in_a_vtk_file() {
+    let names = [
+        "my volume",
+        "50%",
+        "%20",
+        "%+1",
+        "a\"b",
+        "ä\u{a0}ö",
+        "two\nlines",
+    ];
+    for name in names {
+        let mut file = example();
+        file.attributes = Attributes::new()
+            .vertex_vector(name, vec![DVec3::X; file.positions.len()])
+            .cell_scalar(name, [1.0, 2.0, 3.0, 4.0]);
+        let bytes = io::file_to_bytes("a.vtk", &file).unwrap();
+        let found = io::from_bytes("a.vtk", &bytes).unwrap();
+        assert_eq!(found.attributes, file.attributes, "{name}");
+    }
+    let mut file = example();
+    file.attributes = Attributes::new().cell_scalar("50% of it", [1.0, 2.0, 3.0, 4.0]);
+    let text = String::from_utf8(io::file_to_bytes("a.vtk", &file).unwrap()).unwrap();
+    assert!(
+        text.contains("SCALARS 50%25%20of%20it double 1\n"),
+        "{text}"
+    );
 }

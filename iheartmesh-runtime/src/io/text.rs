@@ -1,5 +1,7 @@
 //! Lines and numbers of text formats.
 
+use std::fmt::Write;
+
 use glam::DVec3;
 
 use super::error::{Malformed, Place};
@@ -118,7 +120,9 @@ pub(super) fn percent_decoded(name: &str) -> String {
     let mut rest = name.as_bytes();
     while let Some((&first, others)) = rest.split_first() {
         let code = others.first_chunk::<2>().and_then(|digits| {
-            let digits = std::str::from_utf8(digits).ok()?;
+            // without this, `%+1` is a number, too
+            let all_digits = digits.iter().all(u8::is_ascii_hexdigit);
+            let digits = std::str::from_utf8(digits).ok().filter(|_| all_digits)?;
             u8::from_str_radix(digits, 16).ok()
         });
         (rest, _) = match (first, code) {
@@ -127,4 +131,21 @@ pub(super) fn percent_decoded(name: &str) -> String {
         };
     }
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// A name as one word from which [`percent_decoded`] makes the name again.
+pub(super) fn percent_encoded(name: &str) -> String {
+    let mut word = String::with_capacity(name.len());
+    for character in name.chars() {
+        if character.is_whitespace() || character.is_control() || matches!(character, '%' | '"') {
+            let mut bytes = [0; 4];
+            for byte in character.encode_utf8(&mut bytes).bytes() {
+                // Writing into a `String` cannot fail.
+                let _ = write!(word, "%{byte:02X}");
+            }
+        } else {
+            word.push(character);
+        }
+    }
+    word
 }

@@ -25,6 +25,8 @@
 //! Prisms and pyramids are written as such if their faces stand in the order of `push_prism` and `push_pyramid`, so that they are
 //! read again as they were; all others as polyhedra. VTK has two orders of the corners of wedges, see `wedges`.
 //!
+//! In names, blanks and the signs `%` and `"` are written as VTK does, `%20`, `%25` and `%22`.
+//!
 //! Fields that do not belong to elements, lookup tables and metadata are skipped.
 
 mod cells;

@@ -77,7 +77,13 @@ impl Reader<'_> {
             let rest = self.stream.rest_of_line();
             n_components = match rest.is_empty() {
                 true => 1,
-                false => rest.parse().unwrap_or(0),
+                false => rest.parse().map_err(|_| {
+                    let problem = format!(
+                        "the number of components `{}` is no whole number",
+                        shorten(&rest)
+                    );
+                    self.stream.error(problem, "write it as 3")
+                })?,
             };
             let word = self.stream.word("`LOOKUP_TABLE`")?;
             if word != "LOOKUP_TABLE" {

@@ -13,6 +13,7 @@ use crate::io::attributes::{Attribute, AttributeValues, Attributes, NORMAL};
 use crate::io::error::CannotWrite;
 use crate::io::mesh_file::{MeshFile, PolygonsIter};
 use crate::io::polyhedra::{ordered_prism, ordered_pyramid};
+use crate::io::text::percent_encoded;
 
 pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
     let edges = file.edges.iter().map(|edge| (LINE, &edge[..]));
@@ -68,10 +69,11 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
         let mut is_first = true;
         for array in arrays(&file.attributes, is_at_vertices) {
             let name = &array[0].name;
-            if name.is_empty() || name.contains(|c: char| c.is_whitespace() || c.is_control()) {
+            if name.is_empty() {
                 return Err(CannotWrite {
-                    problem: format!("`{name}` cannot be the name of values in a VTK file"),
-                    help: "use a name without blanks",
+                    problem: "values in a VTK file have a name, but that of an attribute is empty"
+                        .to_owned(),
+                    help: "give it one",
                 });
             }
             if std::mem::replace(&mut is_first, false) {
@@ -170,15 +172,16 @@ fn values<'a>(
     count: usize,
     place: impl Fn(usize) -> Option<(&'a AttributeValues, usize)>,
 ) {
+    let word = percent_encoded(name);
     let _ = match kind {
         AttributeValues::Scalar(_) => {
-            writeln!(text, "SCALARS {name} double 1\nLOOKUP_TABLE default")
+            writeln!(text, "SCALARS {word} double 1\nLOOKUP_TABLE default")
         }
         AttributeValues::Vector(_) if name == NORMAL => {
-            writeln!(text, "NORMALS {name} double")
+            writeln!(text, "NORMALS {word} double")
         }
-        AttributeValues::Vector(_) => writeln!(text, "VECTORS {name} double"),
-        AttributeValues::Color(_) => writeln!(text, "COLOR_SCALARS {name} 3"),
+        AttributeValues::Vector(_) => writeln!(text, "VECTORS {word} double"),
+        AttributeValues::Color(_) => writeln!(text, "COLOR_SCALARS {word} 3"),
     };
     for k in 0..count {
         let (mut scalar, mut vector, mut color) = (f64::NAN, DVec3::NAN, NO_COLOR);
