@@ -353,7 +353,10 @@ fn prisms_and_pyramids_are_known() {
         let error = io::file_to_bytes("a.msh", &expected)
             .unwrap_err()
             .to_string();
-        assert!(error.contains("cannot hold polyhedron 3"), "{error}");
+        assert!(
+            error.contains("cannot hold polyhedron 3, which is a hexahedron"),
+            "{error}"
+        );
     }
 }
 
@@ -440,6 +443,26 @@ fn what_a_format_cannot_hold_is_not_written() {
         "a.mesh: a MEDIT file cannot hold polyhedron 1, which is neither a prism over a triangle nor a pyramid over a \
          quadrilateral; write a .vtk file"
     );
+    // kinds with lists of their own, in meshes where they come too late
+    let hexahedron = solids::hexahedron([0, 1, 2, 3, 4, 5, 6, 7]);
+    let tetrahedron = solids::tetrahedron([1, 2, 6, 8]);
+    let pyramid = solids::pyramid(&[4, 5, 6, 7], 8);
+    for (cells, index, kind) in [
+        ([&hexahedron, &tetrahedron], 0, "tetrahedron"),
+        ([&pyramid, &hexahedron], 1, "hexahedron"),
+    ] {
+        let mesh = CellMesh::from_polyhedra(9, cells).unwrap();
+        let late = MeshFile::of_cells(vec![DVec3::ZERO; 9], &mesh);
+        assert_eq!(
+            message("a.msh", &late),
+            format!(
+                "a.msh: a Gmsh file cannot hold polyhedron {index}, which is a {kind} but not in the list of these; make the \
+                 mesh with tetrahedra first, then hexahedra, then all others, or write a .vtk file"
+            )
+        );
+        let bytes = io::file_to_bytes("a.vtk", &late).unwrap();
+        assert_eq!(io::from_bytes("a.vtk", &bytes).unwrap(), late);
+    }
     file.tetrahedra.push([0, 1, 2, 3]);
     file.polyhedra.push_pyramid([0, 1, 2, 3, 18]);
     assert_eq!(

@@ -197,6 +197,34 @@ fn what_a_format_cannot_hold_is_not_written() {
         message("a.vtk", &file),
         "a.vtk: values in a VTK file have a name, but that of an attribute is empty; give it one"
     );
+    file.attributes = Attributes::new()
+        .cell_scalar("a", [1.0, 2.0, 3.0, 4.0])
+        .vertex_vector("a", vec![DVec3::X; 9])
+        .edge_scalar("a", [5.0]);
+    io::file_to_bytes("a.vtk", &file).unwrap();
+    for (attributes, at) in [
+        (
+            file.attributes.clone().face_vector("a", [DVec3::X; 2]),
+            "other elements",
+        ),
+        (
+            file.attributes.clone().edge_scalar("a", [6.0]),
+            "other elements",
+        ),
+        (
+            file.attributes.clone().vertex_scalar("a", [0.0; 9]),
+            "vertices",
+        ),
+    ] {
+        file.attributes = attributes;
+        assert_eq!(
+            message("a.vtk", &file),
+            format!(
+                "a.vtk: a VTK file cannot hold several attributes `a` of {at}, unless they are of different kinds of element \
+                 and alike; rename all but one of them"
+            )
+        );
+    }
     file.attributes = Attributes::new().cell_scalar("my volume", [1.0, 2.0, 3.0, 4.0]);
     assert_eq!(
         message("a.mesh", &file),

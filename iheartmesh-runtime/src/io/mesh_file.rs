@@ -9,7 +9,9 @@ use super::polyhedra::{self, Polyhedra};
 use crate::element::{Cell, Face};
 use crate::mesh::{CellMesh, EdgeMesh, FaceMesh, MeshError};
 
-/// The contents of a mesh file, as they stand there: nothing is renumbered, merged, dropped or repaired.
+/// The contents of a mesh file, as they stand there: elements are not renumbered, merged, dropped or repaired. What the
+/// [table of formats](super) does not name for a format, such as the lines and texture coordinates of OBJ files and the
+/// edges of PLY files, is not read.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MeshFile {
@@ -44,7 +46,8 @@ impl MeshFile {
     /// A file with these positions and the cells of a mesh, to be written. Cell k of the mesh is cell k of the file.
     ///
     /// Tetrahedra, and the hexahedra after them, go into the lists of these kinds; all cells after the first of another
-    /// kind are polyhedra.
+    /// kind are polyhedra. So a mesh with a tetrahedron after another cell can be written to VTK only: Gmsh and MEDIT hold
+    /// no polyhedra that are tetrahedra or hexahedra.
     ///
     /// ```no_run
     /// # use iheartmesh_runtime::CellMesh;

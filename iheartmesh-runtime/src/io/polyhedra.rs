@@ -259,14 +259,33 @@ pub(super) enum Simple {
 /// All polyhedra for a format that holds prisms and pyramids only.
 pub(super) fn simple(polyhedra: &Polyhedra, format: &str) -> Result<Vec<Simple>, CannotWrite> {
     let simple = |index| {
-        let prism = polyhedra.prism(index).map(Simple::Prism);
-        let simple = prism.or_else(|| polyhedra.pyramid(index).map(Simple::Pyramid));
-        simple.ok_or_else(|| CannotWrite {
-            problem: format!(
-                "a {format} file cannot hold polyhedron {index}, which is neither a prism over a triangle nor a pyramid \
-                 over a quadrilateral"
-            ),
-            help: "write a .vtk file",
+        let triangular = polyhedra.prism(index).map(Simple::Prism);
+        let simple = triangular.or_else(|| polyhedra.pyramid(index).map(Simple::Pyramid));
+        simple.ok_or_else(|| {
+            let faces = || polyhedra.get(index);
+            let n_corners = |cell: Option<Vec<u32>>| cell.map(|corners| corners.len());
+            let kind = match (
+                n_corners(faces().and_then(pyramid)),
+                n_corners(faces().and_then(prism)),
+            ) {
+                (Some(4), _) => "tetrahedron",
+                (_, Some(8)) => "hexahedron",
+                _ => {
+                    return CannotWrite {
+                        problem: format!(
+                            "a {format} file cannot hold polyhedron {index}, which is neither a prism over a triangle nor a \
+                             pyramid over a quadrilateral"
+                        ),
+                        help: "write a .vtk file",
+                    };
+                }
+            };
+            CannotWrite {
+                problem: format!(
+                    "a {format} file cannot hold polyhedron {index}, which is a {kind} but not in the list of these"
+                ),
+                help: "make the mesh with tetrahedra first, then hexahedra, then all others, or write a .vtk file",
+            }
         })
     };
     (0..polyhedra.len()).map(simple).collect()

@@ -2,7 +2,8 @@
 //! on vertices, edges, faces and cells.
 //!
 //! Written as text of version 3.0: one unstructured grid that holds all elements, so that values that belong to elements of
-//! one kind are `nan` on the others, and colours grey. Values of the same name and form on several kinds are one array.
+//! one kind are `nan` on the others, and colours grey. Values of the same name and form on several kinds are one array; otherwise
+//! values of one name are refused, since VTK keeps one array of each.
 //!
 //! Read are unstructured grids and polygonal data in text and binary, of versions 1 to 5. Read here and not by a library: the maintained one
 //! (`vtkio`) does not tell where a file is wrong and takes no `nan`, and with it no file that is written here.

@@ -1,5 +1,6 @@
 //! Writing VTK.
 
+use std::collections::HashSet;
 use std::fmt::Write;
 
 use glam::DVec3;
@@ -67,8 +68,23 @@ pub(crate) fn write(file: &MeshFile) -> Result<Vec<u8>, CannotWrite> {
         ("CELL_DATA", false, elements.len()),
     ] {
         let mut is_first = true;
+        let mut names = HashSet::new();
         for array in arrays(&file.attributes, is_at_vertices) {
             let name = &array[0].name;
+            if !names.insert(name) {
+                let at = if is_at_vertices {
+                    "vertices"
+                } else {
+                    "other elements"
+                };
+                return Err(CannotWrite {
+                    problem: format!(
+                        "a VTK file cannot hold several attributes `{name}` of {at}, unless they are of different kinds of \
+                         element and alike"
+                    ),
+                    help: "rename all but one of them",
+                });
+            }
             if name.is_empty() {
                 return Err(CannotWrite {
                     problem: "values in a VTK file have a name, but that of an attribute is empty"
