@@ -5,7 +5,7 @@
 //! (∑_f  A_f at rows, columns)ᵀ v   ⟶  ∑_f  (A_fᵀ v[rows]) at columns
 //! (∑_f  psd(A_f)) v                ⟶  ∑_f  psd(A_f) v
 //! vᵀ H                             ⟶  (Hᵀ v)ᵀ
-//! H [v₁ … v_k]                     ⟶  each block once, its products with all columns
+//! H [v₁ … v_k]                     ⟶  ∑_f  the products of a block with all columns
 //! ```
 //!
 //! Matrices that are known by their rows, as derivatives of vectors are, likewise: see [`rows`].
