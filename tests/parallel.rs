@@ -140,6 +140,14 @@ fn a_total_without_a_value_says_the_same_on_all_threads() {
         })
     };
     let one = says(1);
+    // sums of blocks name it as well
+    for threads in [1, 3] {
+        let error = on_threads(threads, || {
+            let totals = Totals::new(&mesh, &x, 0.5).unwrap();
+            totals.try_h().unwrap_err().to_string()
+        });
+        assert_eq!(error, one.replace("`d`", "`h`"));
+    }
     let missing = mesh
         .edges()
         .find(|e| mesh.edge_faces(*e).len() == 1)

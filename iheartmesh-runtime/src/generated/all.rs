@@ -92,7 +92,7 @@ pub fn total<T: Send + AddAssign>(
 ) -> Fallible<T> {
     let piece = |k: usize| {
         let range = k * TERMS..n.min((k + 1) * TERMS);
-        terms(range.clone()).map_err(|fault| at_round(kind, range, fault, &terms))
+        terms(range.clone()).map_err(|fault| named(kind, range, fault, |range| terms(range).err()))
     };
     let pieces = n.div_ceil(TERMS);
     let add = |mut sum: T, term: Fallible<T>| {
@@ -106,21 +106,6 @@ pub fn total<T: Send + AddAssign>(
     let mut sums = sums.into_iter();
     let first = sums.next().unwrap_or_else(|| piece(0))?;
     sums.try_fold(first, add)
-}
-
-/// Names the first round without a value of a range that has none, by computing each again.
-#[cold]
-fn at_round<T>(
-    kind: Option<ElementKind>,
-    range: Range<usize>,
-    fault: Fault,
-    terms: impl Fn(Range<usize>) -> Fallible<T>,
-) -> Fault {
-    let first = |k: usize| terms(k..k + 1).err().map(|fault| (k, fault));
-    match (kind, range.into_iter().find_map(first)) {
-        (Some(kind), Some((k, fault))) => named(fault, kind, k),
-        _ => fault,
-    }
 }
 
 /// Runs `f` over consecutive ranges of `0..n`; the results in order. A plan is made in this way.

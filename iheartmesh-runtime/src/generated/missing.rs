@@ -1,6 +1,7 @@
 //! Elements that do not exist, in the tables of plans: each with the reason, which is told when the element is needed.
 
 use std::cell::Cell;
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::{Fallible, Fault};
@@ -93,10 +94,30 @@ fn reason(stored: u32, fault: Fault) -> Fault {
     }
 }
 
-/// The reason with the element at which there was none. Texts are kept as long as the program runs, so only the first
-/// of them name it.
+/// The reason with the first element that has no value among consecutive ones, if they are all of a kind; `fault_of` computes
+/// the first of them anew. Texts are kept as long as the program runs, so that only so many name an element.
 #[cold]
-pub(super) fn named(fault: Fault, kind: ElementKind, number: usize) -> Fault {
+pub(super) fn named(
+    kind: Option<ElementKind>,
+    elements: Range<usize>,
+    fault: Fault,
+    mut fault_of: impl FnMut(Range<usize>) -> Option<Fault>,
+) -> Fault {
+    let Some(kind) = kind else {
+        return fault;
+    };
+    let (mut below, mut above) = (elements.start, elements.end);
+    while below + 1 < above {
+        let middle = below + (above - below) / 2;
+        match fault_of(elements.start..middle) {
+            Some(_) => above = middle,
+            None => below = middle,
+        }
+    }
+    with_element(fault, kind, below)
+}
+
+fn with_element(fault: Fault, kind: ElementKind, number: usize) -> Fault {
     let text = format!("for {kind} {number}, {}", fault.reason);
     let named = &mut reasons().named;
     if let Some(known) = named.iter().find(|known| **known == text) {
@@ -130,12 +151,17 @@ mod tests {
     #[test]
     fn the_element_is_named() {
         let fault = Fault::new("no face");
-        let named = named(fault, ElementKind::Edge, 17);
-        assert_eq!(named.reason, "for edge 17, no face");
+        let edge = Some(ElementKind::Edge);
+        let first = |missing: usize| {
+            named(edge, 10..30, fault, |range| {
+                range.contains(&missing).then_some(fault)
+            })
+        };
+        for k in 10..30 {
+            assert_eq!(first(k).reason, format!("for edge {k}, no face"));
+        }
         // the same text once
-        assert!(std::ptr::eq(
-            super::named(fault, ElementKind::Edge, 17).reason,
-            named.reason
-        ));
+        assert!(std::ptr::eq(first(17).reason, first(17).reason));
+        assert_eq!(named(None, 10..30, fault, |_| Some(fault)), fault);
     }
 }

@@ -7,8 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::array::Array;
 use super::in_order::in_order;
 use super::local_block::LocalBlock;
+use super::missing::named;
 use super::pattern::Pattern;
 use super::{Fallible, Fault};
+use crate::element::ElementKind;
 
 /// Stands for a place that does not exist.
 pub(super) const MISSING: u32 = u32::MAX;
@@ -97,6 +99,7 @@ impl Slots {
     /// The first in the order of the rounds.
     pub fn add<const N: usize, const M: usize>(
         &self,
+        kind: Option<ElementKind>,
         part: usize,
         data: &mut [&mut [f64]; N],
         totals: &mut [f64; M],
@@ -106,7 +109,7 @@ impl Slots {
         let chunk = |array: usize, k: usize| &self.arrays[array].parts[part][k];
         // the values for one array after the other, then the numbers
         let count = |k: usize| (0..N).map(|array| chunk(array, k).values).sum::<usize>() + M;
-        let evaluate = |k: usize, room: &mut [f64]| {
+        let compute = |k: usize, rounds: Range<usize>, room: &mut [f64]| {
             let mut rest = room;
             let mut terms: [Terms<'_>; N] = std::array::from_fn(|array| {
                 let (chunk, slots) = (chunk(array, k), &self.arrays[array]);
@@ -124,9 +127,15 @@ impl Slots {
                 }
             });
             let mut sums = [0.0; M];
-            values(chunks[k].clone(), &mut terms, &mut sums)?;
+            values(rounds, &mut terms, &mut sums)?;
             rest.copy_from_slice(&sums);
             Ok(())
+        };
+        let evaluate = |k: usize, room: &mut [f64]| {
+            let rounds = chunks[k].clone();
+            compute(k, rounds.clone(), room).map_err(|fault| {
+                named(kind, rounds, fault, |rounds| compute(k, rounds, room).err())
+            })
         };
         let mut scatter = |k: usize, values: &[f64]| {
             let mut rest = values;
@@ -154,7 +163,7 @@ impl Slots {
         } else {
             let groups = chunks.len().div_ceil(GROUP);
             let group = |k: usize| GROUP * k..chunks.len().min(GROUP * (k + 1));
-            let compute = |k: usize, values: &mut Vec<f64>| {
+            let compute_group = |k: usize, values: &mut Vec<f64>| {
                 let all = group(k).map(count).sum();
                 let mut rest = room(values, all);
                 group(k).try_for_each(|k| {
@@ -163,7 +172,7 @@ impl Slots {
                     evaluate(k, first)
                 })
             };
-            in_order(groups, &mut memory, compute, |k, values| {
+            in_order(groups, &mut memory, compute_group, |k, values| {
                 let mut rest = values;
                 for k in group(k) {
                     let (first, after) = rest.split_at(count(k));

@@ -7,7 +7,7 @@ use super::block::{Body, Mode, is_copy, number_name, row_name};
 use super::slots::is_in_rounds;
 use crate::ir::{ExprId, Fold, Kind, Range, VariableId};
 use crate::optimize::Rows;
-use crate::types::{ElementKind, Type};
+use crate::types::{Element, ElementKind, Type};
 
 impl Body<'_> {
     /// `for … in …`, binding what the inside of a loop needs.
@@ -147,30 +147,51 @@ impl Body<'_> {
         {
             return None;
         }
-        let element = match range {
+        let n = match range {
             Range::Integers(..) => return None,
-            Range::Set(set) => match self.kind(*set) {
-                Kind::AllElements(element) => *element,
-                _ => return None,
-            },
-            Range::Rows { .. } => match self.plan.space(*variable)?.rows {
-                Rows::Universe(element) => element,
-                _ => {
+            _ => match self.element_of_rounds(e) {
+                Some(element) => self.context.count(element),
+                None => {
                     let table = self.context.table_name(*variable);
-                    return Some(
-                        quote!(::std::option::Option::None, s.plans.#table.range(0).len()),
-                    );
+                    quote!(s.plans.#table.range(0).len())
                 }
             },
         };
-        let kind = match element.kind {
-            ElementKind::Vertex => quote!(Vertex),
-            ElementKind::Edge => quote!(Edge),
-            ElementKind::Face => quote!(Face),
-            ElementKind::Cell => quote!(Cell),
+        let kind = self.kind_of_rounds(e);
+        Some(quote!(#kind, #n))
+    }
+
+    /// Of which elements the rounds of a loop are, if they are all of a mesh in order.
+    fn element_of_rounds(&self, fold: ExprId) -> Option<Element> {
+        let Kind::Fold {
+            variable, range, ..
+        } = self.kind(fold)
+        else {
+            return None;
         };
-        let n = self.context.count(element);
-        Some(quote!(::std::option::Option::Some(rt::ElementKind::#kind), #n))
+        match range {
+            Range::Integers(..) => None,
+            Range::Set(set) => match self.kind(*set) {
+                Kind::AllElements(element) => Some(*element),
+                _ => None,
+            },
+            Range::Rows { .. } => match self.plan.space(*variable)?.rows {
+                Rows::Universe(element) => Some(element),
+                _ => None,
+            },
+        }
+    }
+
+    /// The kind of these elements, so that what fails can name one.
+    pub(super) fn kind_of_rounds(&self, fold: ExprId) -> TokenStream {
+        let kind = match self.element_of_rounds(fold).map(|element| element.kind) {
+            None => return quote!(::std::option::Option::None),
+            Some(ElementKind::Vertex) => quote!(Vertex),
+            Some(ElementKind::Edge) => quote!(Edge),
+            Some(ElementKind::Face) => quote!(Face),
+            Some(ElementKind::Cell) => quote!(Cell),
+        };
+        quote!(::std::option::Option::Some(rt::ElementKind::#kind))
     }
 
     /// The head of the loop over a variable, for the rounds in `range`.

@@ -31,15 +31,17 @@ impl Body<'_> {
                 }
             }
         }
+        let mut kind = quote!(::std::option::Option::None);
         if is_in_rounds(self.context, self.plan, term.value)
             && let Kind::Fold { variable, .. } = self.kind(term.value)
         {
             self.rounds = Some(*variable);
+            kind = self.kind_of_rounds(term.value);
         }
         let steps = self.terms(term.value);
         self.rounds = None;
         let add = quote! {
-            slots.add(#number, data, totals, |range, terms, totals| {
+            slots.add(#kind, #number, data, totals, |range, terms, totals| {
                 #steps
                 #after
                 ::std::result::Result::Ok(())
