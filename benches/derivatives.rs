@@ -22,7 +22,9 @@ mod meshes;
 
 use std::time::Duration;
 
-use baseline::symmetric_dirichlet::{self as by_hand, Pattern};
+use baseline::symmetric_dirichlet::{self as by_hand, Elements, Pattern};
+use glam::{DMat2, DMat3, DVec2, DVec3};
+use iheartmesh::nalgebra::DMatrix;
 use iheartmesh::{CellMesh, FaceMesh, iheartmesh};
 use measure::{Contestant, Effort, contest, contestant};
 use rayon::ThreadPoolBuilder;
@@ -60,6 +62,37 @@ fn difference(a: &[f64], b: &[f64]) -> f64 {
     pairs.fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs() / most))
 }
 
+/// How many elements have second derivatives with a negative eigenvalue; `block` computes those of a mesh of one.
+fn count_indefinite<const N: usize, Q: Copy, X: Copy>(
+    elements: &Elements<N, Q>,
+    x: &[X],
+    dimension: usize,
+    block: impl Fn(&Elements<N, Q>, &[X], &Pattern) -> Vec<f64>,
+) -> usize {
+    let alone: [u32; N] = std::array::from_fn(|k| k as u32);
+    let pattern = Pattern::new(&[alone], N, dimension);
+    let shapes = elements.inverses.iter().zip(&elements.sizes);
+    let all = elements.vertices.iter().zip(shapes);
+    all.filter(|(vertices, (inverse, size))| {
+        let part = Elements {
+            vertices: vec![alone],
+            inverses: vec![**inverse],
+            sizes: vec![**size],
+        };
+        let values = block(&part, &vertices.map(|v| x[v as usize]), &pattern);
+        let n = N * dimension;
+        let eigenvalues = DMatrix::from_vec(n, n, values).symmetric_eigenvalues();
+        eigenvalues.min() < -1e-9 * eigenvalues.max()
+    })
+    .count()
+}
+
+fn say_indefinite(moved: usize, little: usize, count: usize) {
+    println!(
+        "\n{moved} of {count} elements have indefinite second derivatives; {little} if they are moved little."
+    );
+}
+
 fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
     println!("\nTriangles: nanoseconds for each.");
     for n in sizes {
@@ -88,6 +121,15 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
             dual::hessian(elements, &pattern, x, &mut duals);
             assert!(difference(&duals, &values) < 1e-10);
         }
+        let indefinite = |x: &[DVec2]| {
+            let block = |part: &Elements<3, DMat2>, x: &[DVec2], pattern: &Pattern| {
+                let mut values = vec![0.0; pattern.rows.len()];
+                by_hand::hessian(part, pattern, x, false, &mut values);
+                values
+            };
+            count_indefinite(elements, x, 2, block)
+        };
+        say_indefinite(indefinite(x), indefinite(&grid.gentle), count);
         head(&[
             "energy by hand",
             "`e`",
@@ -101,6 +143,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
             "dual numbers",
             "psd by hand",
             "`P`",
+            "`P`, moved little",
         ]);
         for threads in threads {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();
@@ -108,7 +151,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let (mut module, mut slope) = (program(), slope.clone());
                 let mut second = program();
                 let mut third = program();
-                let mut fourth = program();
+                let (mut fourth, mut eighth) = (program(), program());
                 let (mut fifth, mut sixth, mut seventh) = (program(), program(), program());
                 let (mut second_at_hand, mut all_at_hand) = (fifth.H(), sixth.H());
                 let mut slope_at_hand = sixth.g();
@@ -150,6 +193,10 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                         fourth.set_x(x).expect("as many as before");
                         fourth.P()
                     }),
+                    contestant(|| {
+                        eighth.set_x(&grid.gentle).expect("as many as before");
+                        eighth.P()
+                    }),
                 ];
                 row("shapes at hand", count, *threads, &contest(effort, &mut runs));
                 drop(runs);
@@ -177,7 +224,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
                 let times = contest(effort, &mut runs);
                 let per = |k: usize| times[k].as_secs_f64() * 1e9 / count as f64;
                 println!(
-                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | | | | {:.0} |",
+                    "| from positions at rest | {count} | {threads} | | {:.0} | | {:.0} | | {:.0} | | | | | | {:.0} | |",
                     per(0), per(1), per(2), per(3)
                 );
             });
@@ -212,6 +259,15 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             dual::hessian_of_cells(elements, &pattern, x, &mut duals);
             assert!(difference(&duals, &values) < 1e-10);
         }
+        let indefinite = |x: &[DVec3]| {
+            let block = |part: &Elements<4, DMat3>, x: &[DVec3], pattern: &Pattern| {
+                let mut values = vec![0.0; pattern.rows.len()];
+                by_hand::hessian_of_cells(part, pattern, x, &mut values);
+                values
+            };
+            count_indefinite(elements, x, 3, block)
+        };
+        say_indefinite(indefinite(x), indefinite(&grid.gentle), count);
         head(&[
             "energy by hand",
             "`e`",
@@ -224,13 +280,14 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             "`e_g_H_into`",
             "dual numbers",
             "`P`",
+            "`P`, moved little",
         ]);
         for threads in threads {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();
             pool.expect("threads can be started").install(|| {
                 let mut slope = slope.clone();
-                let mut modules: [_; 7] = std::array::from_fn(|_| program());
-                let [a, b, c, d, into, each, together] = &mut modules;
+                let mut modules: [_; 8] = std::array::from_fn(|_| program());
+                let [a, b, c, d, into, each, together, gentle] = &mut modules;
                 let (mut second_at_hand, mut all_at_hand) = (into.H(), each.H());
                 let mut slope_at_hand = each.g();
                 let (_, mut slope_together, mut second_together) = together.e_g_H();
@@ -269,6 +326,10 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
                     contestant(|| {
                         d.set_x(x).expect("as many as before");
                         d.P()
+                    }),
+                    contestant(|| {
+                        gentle.set_x(&grid.gentle).expect("as many as before");
+                        gentle.P()
                     }),
                 ];
                 row(

@@ -5,6 +5,9 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use super::baseline::symmetric_dirichlet::Elements;
 
+/// How far positions are moved at most that are moved little, as a part of a side.
+const GENTLE: f64 = 0.02;
+
 /// A mesh with positions.
 pub struct Grid<const N: usize, Q, X> {
     /// What does not change.
@@ -13,6 +16,8 @@ pub struct Grid<const N: usize, Q, X> {
     pub rest: Vec<DVec3>,
     /// Positions.
     pub positions: Vec<X>,
+    /// Positions that are stretched alike, but moved little.
+    pub gentle: Vec<X>,
 }
 
 /// Numbers between -1 and 1 without a pattern.
@@ -48,6 +53,13 @@ pub fn triangles(count: usize) -> Grid<3, DMat2, DVec2> {
             vertices.extend([[a, b, c], [a, c, d]]);
         }
     }
+    let gentle = rest
+        .iter()
+        .map(|at| {
+            let moved = DVec2::new(noise(&mut random), noise(&mut random)) * GENTLE;
+            at.truncate() * DVec2::new(1.3, 0.9) + moved
+        })
+        .collect();
     let edges = |[a, b, c]: [u32; 3]| {
         let [a, b, c] = [a, b, c].map(|v| rest[v as usize].truncate());
         DMat2::from_cols(b - a, c - a)
@@ -64,6 +76,7 @@ pub fn triangles(count: usize) -> Grid<3, DMat2, DVec2> {
         elements,
         rest,
         positions,
+        gentle,
     }
 }
 
@@ -85,6 +98,10 @@ pub fn tetrahedra(count: usize) -> Grid<4, DMat3, DVec3> {
             }
         }
     }
+    let gentle = rest
+        .iter()
+        .map(|at| *at * DVec3::new(1.2, 0.95, 0.9) + moved(GENTLE))
+        .collect();
     let number = |[i, j, k]: [usize; 3]| (i + (n + 1) * (j + (n + 1) * k)) as u32;
     let mut vertices = Vec::new();
     for corner in 0..n * n * n {
@@ -122,5 +139,6 @@ pub fn tetrahedra(count: usize) -> Grid<4, DMat3, DVec3> {
         elements,
         rest,
         positions,
+        gentle,
     }
 }
