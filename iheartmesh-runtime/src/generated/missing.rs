@@ -94,6 +94,22 @@ fn reason(stored: u32, fault: Fault) -> Fault {
     }
 }
 
+/// Does all `n` rounds of a loop, over the elements of a kind. `some` does those in a range; where one fails, it is called again.
+///
+/// # Errors
+/// That of the first round that fails, which it names.
+#[inline]
+pub fn rounds(
+    kind: Option<ElementKind>,
+    n: usize,
+    mut some: impl FnMut(Range<usize>) -> Fallible<()>,
+) -> Fallible<()> {
+    match some(0..n) {
+        Ok(()) => Ok(()),
+        Err(fault) => Err(named(kind, 0..n, fault, |range| some(range).err())),
+    }
+}
+
 /// The reason with the first element that has no value among consecutive ones, if they are all of a kind; `fault_of` computes
 /// the first of them anew. Texts are kept as long as the program runs, so that only so many name an element.
 #[cold]

@@ -56,7 +56,7 @@ pub use keys::Keys;
 pub use linear::*;
 pub use local::Locals;
 pub use local_block::LocalBlock;
-pub use missing::{FIRST_MISSING, NO_ELEMENT, element, is_missing, missing, of_element};
+pub use missing::{FIRST_MISSING, NO_ELEMENT, element, is_missing, missing, of_element, rounds};
 pub use optimum::{Coordinates, Domain, Optimum, Reasons, Restrictions};
 pub use orbit::{Grouped, Orbits};
 pub use pattern::Pattern;

@@ -6,8 +6,9 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 use sprs::CsMat;
 
+use super::missing::{FIRST_MISSING, NO_ELEMENT, is_missing, missing};
 use super::pattern::Pattern;
-use super::slots::{ArraySlots, Chunk, Heights, Jump, MISSING, Slots, Whole};
+use super::slots::{ArraySlots, Chunk, Heights, Jump, Slots, Whole};
 use super::{Fallible, Fault};
 
 /// About as many numbers are evaluated before they are added: they stay in the nearest cache.
@@ -159,7 +160,7 @@ impl Places {
     /// A block of the array of [`Places::array`], see [`ArrayPlaces::block`].
     pub fn block<const N: usize, const M: usize>(
         &mut self,
-        places: Option<([usize; N], [usize; M])>,
+        places: Fallible<([usize; N], [usize; M])>,
         height: usize,
         width: usize,
     ) {
@@ -238,10 +239,10 @@ impl ArrayPlaces {
     }
 
     /// A block whose rows start at these places, in parts of a height, and its columns likewise, or in the first where there
-    /// are none; nothing where there is no such place.
+    /// are none; a reason where there is no such place.
     fn block<const N: usize, const M: usize>(
         &mut self,
-        places: Option<([usize; N], [usize; M])>,
+        places: Fallible<([usize; N], [usize; M])>,
         height: usize,
         width: usize,
     ) {
@@ -250,11 +251,16 @@ impl ArrayPlaces {
             let end = |p: &usize| p.checked_add(1).and_then(|p| p.checked_mul(part));
             places.iter().all(|p| end(p).is_some_and(|end| end <= size))
         };
-        let places = places.filter(|(rows, columns)| {
-            within(rows, height, self.layout.rows) && within(columns, width, self.layout.columns)
-        });
-        self.missing |= places.is_none();
-        let (rows, columns) = places.unwrap_or(([0; N], [0; M]));
+        let layout = self.layout;
+        let is_within = |rows: &[usize], columns: &[usize]| {
+            within(rows, height, layout.rows) && within(columns, width, layout.columns)
+        };
+        let (rows, columns, why) = match places {
+            Ok((rows, columns)) if is_within(&rows, &columns) => (rows, columns, None),
+            Ok(_) => ([0; N], [0; M], Some(NO_ELEMENT)),
+            Err(fault) => ([0; N], [0; M], Some(missing(fault))),
+        };
+        self.missing |= why.is_some();
         let columns = match M {
             0 => &[0],
             _ => &columns[..],
@@ -262,10 +268,7 @@ impl ArrayPlaces {
         for column in columns {
             for j in 0..width {
                 for row in rows {
-                    let row = match places {
-                        Some(_) => (row * height) as u32,
-                        None => MISSING,
-                    };
+                    let row = why.unwrap_or((row * height) as u32);
                     let column = (column * width + j) as u32;
                     self.pieces.push([row, column, height as u32]);
                 }
@@ -283,7 +286,7 @@ impl ArrayPlaces {
             rows,
             columns,
         } = self.layout;
-        let largest = MISSING as usize;
+        let largest = FIRST_MISSING as usize;
         let values = self.parts.iter().flatten().map(|chunk| chunk.values).max();
         if rows >= largest
             || columns >= largest
@@ -300,13 +303,13 @@ impl ArrayPlaces {
             };
             let rows = rows as u32;
             let slot = |[row, column, _]: &[u32; 3]| match *row {
-                MISSING => MISSING,
+                row if is_missing(row) => row,
                 row => column * rows + row,
             };
             let slots = self.pieces.iter().map(slot).collect();
             return Ok(self.with_slots(slots, Vec::new(), entries, Vec::new(), Vec::new()));
         }
-        let there = |piece: &&[u32; 3]| piece[0] != MISSING;
+        let there = |piece: &&[u32; 3]| !is_missing(piece[0]);
         let mut starts = vec![0usize; columns + 1];
         for [_, column, height] in self.pieces.iter().filter(there) {
             starts[*column as usize + 1] += *height as usize;
@@ -358,10 +361,13 @@ impl ArrayPlaces {
             return Err(fault);
         }
         let slot = |row: u32, column: u32| -> u32 {
+            if is_missing(row) {
+                return row;
+            }
             let (start, end) = (pointers[column as usize], pointers[column as usize + 1]);
             match indices[start..end].binary_search(&(row as usize)) {
                 Ok(k) => (start + k) as u32,
-                Err(_) => MISSING,
+                Err(_) => NO_ELEMENT,
             }
         };
         let slots = self.pieces.par_iter();

@@ -7,13 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::array::Array;
 use super::in_order::in_order;
 use super::local_block::LocalBlock;
-use super::missing::named;
+use super::missing::{element, named};
 use super::pattern::Pattern;
 use super::{Fallible, Fault};
 use crate::element::ElementKind;
-
-/// Stands for a place that does not exist.
-pub(super) const MISSING: u32 = u32::MAX;
 
 /// Fewer chunks than this are done before another thread has woken up.
 const FEW: usize = 16;
@@ -400,9 +397,11 @@ impl Terms<'_> {
 
     #[inline(always)]
     fn room(&mut self, values: usize, pieces: usize, fault: Fault) -> Fallible<&mut [f64]> {
-        if !self.slots.is_empty() && self.slots[self.piece..self.piece + pieces].contains(&MISSING)
-        {
-            return Err(fault);
+        if !self.slots.is_empty() {
+            let slots = &self.slots[self.piece..self.piece + pieces];
+            slots
+                .iter()
+                .try_for_each(|slot| element(*slot, fault).map(|_| ()))?;
         }
         self.piece += pieces;
         let start = self.next;

@@ -222,17 +222,21 @@ impl<'a> Body<'a> {
         let ty = self.ty(e);
         let (start, finish) = self.accumulator(e, op, ty, body == self.variable_expr(*variable));
         let total = self.rounds_of_total(e);
-        let around = match &total {
-            Some(_) => self.rounds.replace(*variable),
-            None => self.rounds,
+        let named = self.rounds_with_names(e);
+        let around = match (&total, &named) {
+            (None, None) => self.rounds,
+            _ => self.rounds.replace(*variable),
         };
         let looped = self.looped(e, |this| this.step(e, op, ty, body));
         self.rounds = around;
-        match total {
-            Some(rounds) => {
+        match (total, named) {
+            (Some(rounds), _) => {
                 quote!(rt::total(#rounds, |range| { #start #looped ::std::result::Result::Ok(#finish) })?)
             }
-            None => quote!({ #start #looped #finish }),
+            (None, Some(rounds)) => {
+                quote!({ #start rt::rounds(#rounds, |range| { #looped ::std::result::Result::Ok(()) })?; #finish })
+            }
+            (None, None) => quote!({ #start #looped #finish }),
         }
     }
 

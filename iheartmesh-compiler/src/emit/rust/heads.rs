@@ -140,9 +140,8 @@ impl Body<'_> {
         let ty = self.ty(e);
         let is_number = is_copy(ty) && !ty.is_integer();
         if self.mode != Mode::Dynamic
-            || self.slots.is_some()
             || !is_number
-            || self.placement.is_in_loop(e)
+            || !self.may_name_rounds(e)
             || !is_in_rounds(self.context, self.plan, e)
         {
             return None;
@@ -159,6 +158,29 @@ impl Body<'_> {
         };
         let kind = self.kind_of_rounds(e);
         Some(quote!(#kind, #n))
+    }
+
+    /// The rounds of a loop over all elements that may fail in one of them, not inside of another loop, so that this one
+    /// is named: of which kind they are, and how many.
+    pub(super) fn rounds_with_names(&self, e: ExprId) -> Option<TokenStream> {
+        let Kind::Fold {
+            body, condition, ..
+        } = self.kind(e)
+        else {
+            return None;
+        };
+        let element = self.element_of_rounds(e)?;
+        let may_fail = self.may_fail(*body) || condition.is_some_and(|c| self.may_fail(c));
+        if !may_fail || !self.may_name_rounds(e) {
+            return None;
+        }
+        let (kind, n) = (kind_name(Some(element.kind)), self.context.count(element));
+        Some(quote!(#kind, #n))
+    }
+
+    /// Whether a loop is where its rounds can be done once more.
+    pub(super) fn may_name_rounds(&self, e: ExprId) -> bool {
+        self.mode != Mode::Build && self.slots.is_none() && !self.placement.is_in_loop(e)
     }
 
     /// Of which elements the rounds of a loop are, if they are all of a mesh in order.
@@ -184,14 +206,7 @@ impl Body<'_> {
 
     /// The kind of these elements, so that what fails can name one.
     pub(super) fn kind_of_rounds(&self, fold: ExprId) -> TokenStream {
-        let kind = match self.element_of_rounds(fold).map(|element| element.kind) {
-            None => return quote!(::std::option::Option::None),
-            Some(ElementKind::Vertex) => quote!(Vertex),
-            Some(ElementKind::Edge) => quote!(Edge),
-            Some(ElementKind::Face) => quote!(Face),
-            Some(ElementKind::Cell) => quote!(Cell),
-        };
-        quote!(::std::option::Option::Some(rt::ElementKind::#kind))
+        kind_name(self.element_of_rounds(fold).map(|element| element.kind))
     }
 
     /// The head of the loop over a variable, for the rounds in `range`.
@@ -206,4 +221,16 @@ impl Body<'_> {
             Range::Rows { .. } => self.some_rows_head(variable),
         }
     }
+}
+
+/// A kind of elements, or none, as generated code names it.
+pub(super) fn kind_name(kind: Option<ElementKind>) -> TokenStream {
+    let kind = match kind {
+        None => return quote!(::std::option::Option::None),
+        Some(ElementKind::Vertex) => quote!(Vertex),
+        Some(ElementKind::Edge) => quote!(Edge),
+        Some(ElementKind::Face) => quote!(Face),
+        Some(ElementKind::Cell) => quote!(Cell),
+    };
+    quote!(::std::option::Option::Some(rt::ElementKind::#kind))
 }

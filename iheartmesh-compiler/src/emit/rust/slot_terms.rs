@@ -328,7 +328,7 @@ impl Body<'_> {
                     #array
                     for column in 0..rt::size(#columns) {
                         places.block(
-                            (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [column])) })().ok(),
+                            (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [column])) })(),
                             #height,
                             1,
                         );
@@ -346,7 +346,7 @@ impl Body<'_> {
                 quote! {
                     #array
                     places.block(
-                        (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [#(#columns),*])) })().ok(),
+                        (|| -> rt::Fallible<_> { ::std::result::Result::Ok(([#(#rows),*], [#(#columns),*])) })(),
                         #height,
                         #width,
                     );

@@ -45,6 +45,7 @@ impl Body<'_> {
         else {
             panic!("bug in iheartmesh: no element-wise definition");
         };
+        let arena = &self.context.program().arena;
         let indices: Vec<Index> = variables.iter().map(|v| self.index(*v)).collect();
         let sizes: Vec<TokenStream> = sizes.iter().map(|s| self.owned(*s)).collect();
         let outside = self.placement.part(e, Part::Loop);
@@ -83,20 +84,40 @@ impl Body<'_> {
                 #finish
             });
         }
+        let kind = match arena.variable_type(variables[0]) {
+            Type::Element(element) => Some(element.kind),
+            _ => None,
+        };
+        let named = kind.is_some() && self.may_fail(*body) && self.may_name_rounds(e);
+        // each item by itself, or all in a closure that can be called again
+        let looped = |range: TokenStream,
+                      n: TokenStream,
+                      first: &TokenStream,
+                      inside: TokenStream| match named {
+            false => quote!(for #first in #range { #inside }),
+            true => {
+                let kind = super::heads::kind_name(kind);
+                quote! {
+                    rt::rounds(#kind, #n, |range| {
+                        for #first in range.start as u32..range.end as u32 { #inside }
+                        ::std::result::Result::Ok(())
+                    })?;
+                }
+            }
+        };
         let (n, place) = (&sizes[0], indices[0].place());
         let (first, range) = (&indices[0].name, indices[0].range(&quote!((#n))));
         match layout {
             Layout::Vector | Layout::Matrix | Layout::Sparse => {
                 let value = self.owned(*body);
                 let range = indices[0].range(&quote!(n));
+                let inside =
+                    quote!(#before let value = #value; rt::Build::set(&mut all, #place, 0, value););
+                let looped = looped(range, quote!(rt::size(n)), first, inside);
                 quote!({
                     let n = #n;
                     let mut all = <#ty as rt::Build>::zeros(rt::size(n), 1);
-                    for #first in #range {
-                        #before
-                        let value = #value;
-                        rt::Build::set(&mut all, #place, 0, value);
-                    }
+                    #looped
                     all
                 })
             }
@@ -106,12 +127,11 @@ impl Body<'_> {
                     Layout::Diagonal => quote!(rt::sparse_diagonal(&all)),
                     _ => quote!(all),
                 };
+                let inside = quote!(#before all.push(#value););
+                let looped = looped(range, quote!(rt::size(#n)), first, inside);
                 quote!({
                     let mut all = ::std::vec::Vec::new();
-                    for #first in #range {
-                        #before
-                        all.push(#value);
-                    }
+                    #looped
                     #finish
                 })
             }
