@@ -380,3 +380,13 @@ fn what_does_not_fit_is_not_written() {
         "a.ply: 6 positions for 4 vertices; give one for each"
     );
 }
+
+#[test]
+fn texts_may_start_with_the_mark_of_utf_8() {
+    for (name, text) in [
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+    ] {
+        assert_eq!(read(name, &format!("\u{feff}{text}")), read(name, text));
+    }
+}

@@ -152,7 +152,8 @@ fn parse(
     _open: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> Result<MeshFile, IoError> {
     // Names and comments may be in any encoding; what matters is ASCII.
-    let text = || String::from_utf8_lossy(bytes);
+    // Some programs put the mark of UTF-8 first.
+    let text = || String::from_utf8_lossy(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes));
     match Format::of(path)? {
         Format::Obj => obj::read(&text()),
         Format::Off => off::read(&text()),
