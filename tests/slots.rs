@@ -3,6 +3,8 @@
 #[path = "../examples/common/generate.rs"]
 #[allow(dead_code)]
 mod generate;
+#[path = "support/plane.rs"]
+mod plane;
 #[macro_use]
 #[path = "support/twice.rs"]
 mod twice;
@@ -12,6 +14,7 @@ use std::collections::BTreeMap;
 use iheartmesh::glam::DVec2;
 use iheartmesh::{Face, FaceMesh, Set, sprs::CsMat};
 use nalgebra::{DMatrix, DVector};
+use plane::{grid, meshes};
 
 programs! {
     Springs, PlainSprings = r#"
@@ -82,52 +85,6 @@ programs! {
     "#;
 }
 
-/// A grid of triangles in the plane.
-fn grid(n: usize) -> (Vec<DVec2>, Vec<[u32; 3]>) {
-    let mut random = fastrand::Rng::with_seed(5);
-    let points = (0..n * n).map(|k| {
-        let noise = DVec2::new(random.f64(), random.f64()) * 0.8;
-        DVec2::new((k % n) as f64, (k / n) as f64) + noise
-    });
-    let points = points.collect();
-    let mut triangles = Vec::new();
-    for y in 0..n as u32 - 1 {
-        for x in 0..n as u32 - 1 {
-            let a = y * n as u32 + x;
-            let (b, c, d) = (a + 1, a + n as u32, a + n as u32 + 1);
-            triangles.extend([[a, b, d], [a, d, c]]);
-        }
-    }
-    (points, triangles)
-}
-
-/// Meshes with different properties, each with positions.
-fn meshes() -> Vec<(FaceMesh, Vec<DVec2>)> {
-    let (points, triangles) = grid(5);
-    let mut random = fastrand::Rng::with_seed(9);
-    let mut more = |n: usize, triangles: &[[u32; 3]]| {
-        let points = (0..n).map(|_| DVec2::new(random.f64(), random.f64()) * 3.0);
-        let points: Vec<DVec2> = points.collect();
-        (FaceMesh::from_triangles(n, triangles).unwrap(), points)
-    };
-    let mut all = vec![
-        more(0, &[]),
-        // isolated vertices: empty columns
-        more(4, &[]),
-        more(7, &[[1, 3, 5]]),
-        // three faces on one edge, two fans at one vertex
-        more(5, &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]),
-        more(7, &[[0, 1, 2], [0, 2, 3], [0, 4, 5], [0, 5, 6]]),
-        // closed
-        more(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
-    ];
-    all.push((
-        FaceMesh::from_triangles(points.len(), &triangles).unwrap(),
-        points,
-    ));
-    all
-}
-
 fn dense(a: &CsMat<f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.rows(), a.cols());
     for (value, (i, j)) in a {
@@ -153,7 +110,7 @@ fn pattern(a: &CsMat<f64>) -> (Vec<usize>, Vec<usize>) {
 
 #[test]
 fn with_and_without_planned_places() {
-    for (mesh, x) in meshes() {
+    for (mesh, x) in meshes(5) {
         for w in [0.3, 2.0, 100.0] {
             let planned = optimized::Springs::new(&mesh, &x, w).unwrap();
             let plain = plain::Springs::new(&mesh, &x, w).unwrap();
@@ -174,7 +131,7 @@ fn with_and_without_planned_places() {
 
 #[test]
 fn sums_of_several_parts() {
-    for (mesh, x) in meshes() {
+    for (mesh, x) in meshes(5) {
         let faces: Vec<Face> = mesh.faces().collect();
         let mut planned = optimized::Sums::new(&mesh, &x, 2.0, Set::from(faces.clone())).unwrap();
         let mut known = planned.A();
@@ -213,7 +170,7 @@ fn sums_of_several_parts() {
 /// Differences of gradients, and the same for the gradient of energies.
 #[test]
 fn differences() {
-    for (mesh, x) in meshes() {
+    for (mesh, x) in meshes(5) {
         let at = |x: &[DVec2]| {
             let module = optimized::Springs::new(&mesh, x, 2.0).unwrap();
             (module.e(), module.g())
@@ -239,7 +196,7 @@ fn differences() {
 
 #[test]
 fn projected_blocks_are_positive() {
-    for (mesh, x) in meshes().into_iter().filter(|(_, x)| !x.is_empty()) {
+    for (mesh, x) in meshes(5).into_iter().filter(|(_, x)| !x.is_empty()) {
         let module = optimized::Springs::new(&mesh, &x, 2.0).unwrap();
         for matrix in [module.theta(), module.A(), module.R()] {
             let values = dense(&matrix).symmetric_eigenvalues();

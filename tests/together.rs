@@ -1,5 +1,7 @@
 //! Definitions that are asked for at once: the same values as by themselves, the same errors, whatever is known before.
 
+#[path = "support/plane.rs"]
+mod plane;
 #[macro_use]
 #[path = "support/twice.rs"]
 mod twice;
@@ -7,6 +9,7 @@ mod twice;
 use iheartmesh::glam::{DVec2, DVec3};
 use iheartmesh::nalgebra::{DMatrix, DVector};
 use iheartmesh::{CellMesh, Error, FaceMesh, Set, sprs::CsMat};
+use plane::{grid, meshes};
 
 programs! {
     #[together(e, g, H)]
@@ -94,50 +97,6 @@ programs! {
         k = ‖x‖
         A = x xᵀ
     "#;
-}
-
-/// A grid of triangles in the plane.
-fn grid(n: usize) -> (Vec<DVec2>, Vec<[u32; 3]>) {
-    let mut random = fastrand::Rng::with_seed(5);
-    let points = (0..n * n).map(|k| {
-        let noise = DVec2::new(random.f64(), random.f64()) * 0.8;
-        DVec2::new((k % n) as f64, (k / n) as f64) + noise
-    });
-    let points = points.collect();
-    let mut triangles = Vec::new();
-    for y in 0..n as u32 - 1 {
-        for x in 0..n as u32 - 1 {
-            let a = y * n as u32 + x;
-            let (b, c, d) = (a + 1, a + n as u32, a + n as u32 + 1);
-            triangles.extend([[a, b, d], [a, d, c]]);
-        }
-    }
-    (points, triangles)
-}
-
-/// Meshes with different properties, each with positions.
-fn meshes() -> Vec<(FaceMesh, Vec<DVec2>)> {
-    let (points, triangles) = grid(6);
-    let mut random = fastrand::Rng::with_seed(9);
-    let mut more = |n: usize, triangles: &[[u32; 3]]| {
-        let points = (0..n).map(|_| DVec2::new(random.f64(), random.f64()) * 3.0);
-        let points: Vec<DVec2> = points.collect();
-        (FaceMesh::from_triangles(n, triangles).unwrap(), points)
-    };
-    let mut all = vec![
-        more(0, &[]),
-        // isolated vertices
-        more(4, &[]),
-        more(7, &[[1, 3, 5]]),
-        // three faces on one edge, two fans at one vertex
-        more(5, &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]),
-        more(7, &[[0, 1, 2], [0, 2, 3], [0, 4, 5], [0, 5, 6]]),
-        // closed
-        more(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
-    ];
-    let mesh = FaceMesh::from_triangles(points.len(), &triangles).unwrap();
-    all.push((mesh, points));
-    all
 }
 
 /// Meshes of tetrahedra: none, one and isolated vertices, a row of cubes of five or six.
@@ -249,7 +208,7 @@ fn nothing() -> (DVector<f64>, CsMat<f64>) {
 for_both! {
     #[test]
     fn energies_of_triangles() {
-        for (mesh, x) in meshes() {
+        for (mesh, x) in meshes(6) {
             for w in [0.3, 2.0, 100.0] {
                 let new = || Springs::new(&mesh, &x, w).unwrap();
                 let each = new();
@@ -372,7 +331,7 @@ for_both! {
 
     #[test]
     fn conditions_that_depend_on_values() {
-        for (mesh, x) in meshes() {
+        for (mesh, x) in meshes(6) {
             for w in [0.3, 0.9, 5.0] {
                 let each = Failing::new(&mesh, &x, w).unwrap();
                 let (e, f, g, slope, h) = Failing::new(&mesh, &x, w).unwrap().e_f_g_G_H();
@@ -388,7 +347,7 @@ for_both! {
 
     #[test]
     fn what_is_known_is_kept() {
-        let (mesh, x) = meshes().pop().unwrap();
+        let (mesh, x) = meshes(6).pop().unwrap();
         let moved: Vec<DVec2> = x.iter().map(|p| 1.1 * *p).collect();
         let mut module = Springs::new(&mesh, &x, 2.0).unwrap();
         let fresh = Springs::new(&mesh, &moved, 2.0).unwrap();
