@@ -87,9 +87,9 @@ fn count_indefinite<const N: usize, Q: Copy, X: Copy>(
     .count()
 }
 
-fn say_indefinite(moved: usize, little: usize, count: usize) {
+fn say_indefinite(moved: usize, stretched: usize, count: usize) {
     println!(
-        "\n{moved} of {count} elements have indefinite second derivatives; {little} if they are moved little."
+        "\n{moved} of {count} elements have indefinite second derivatives; {stretched} if they are stretched."
     );
 }
 
@@ -143,7 +143,7 @@ fn triangles(sizes: &[usize], threads: &[usize], effort: Effort) {
             "dual numbers",
             "psd by hand",
             "`P`",
-            "`P`, moved little",
+            "`P`, stretched",
         ]);
         for threads in threads {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();
@@ -280,7 +280,7 @@ fn cells(sizes: &[usize], threads: &[usize], effort: Effort) {
             "`e_g_H_into`",
             "dual numbers",
             "`P`",
-            "`P`, moved little",
+            "`P`, stretched",
         ]);
         for threads in threads {
             let pool = ThreadPoolBuilder::new().num_threads(*threads).build();

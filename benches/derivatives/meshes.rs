@@ -16,7 +16,7 @@ pub struct Grid<const N: usize, Q, X> {
     pub rest: Vec<DVec3>,
     /// Positions.
     pub positions: Vec<X>,
-    /// Positions that are stretched alike, but moved little.
+    /// Positions that are stretched in all directions and moved little.
     pub gentle: Vec<X>,
 }
 
@@ -57,7 +57,7 @@ pub fn triangles(count: usize) -> Grid<3, DMat2, DVec2> {
         .iter()
         .map(|at| {
             let moved = DVec2::new(noise(&mut random), noise(&mut random)) * GENTLE;
-            at.truncate() * DVec2::new(1.3, 0.9) + moved
+            at.truncate() * DVec2::new(1.3, 1.1) + moved
         })
         .collect();
     let edges = |[a, b, c]: [u32; 3]| {
@@ -100,7 +100,7 @@ pub fn tetrahedra(count: usize) -> Grid<4, DMat3, DVec3> {
     }
     let gentle = rest
         .iter()
-        .map(|at| *at * DVec3::new(1.2, 0.95, 0.9) + moved(GENTLE))
+        .map(|at| *at * DVec3::new(1.2, 1.1, 1.05) + moved(GENTLE))
         .collect();
     let number = |[i, j, k]: [usize; 3]| (i + (n + 1) * (j + (n + 1) * k)) as u32;
     let mut vertices = Vec::new();
