@@ -120,6 +120,12 @@ impl<'a> Body<'a> {
         self.context.may_fail.expr(&self.context.program().arena, e)
     }
 
+    /// Whether an expression that has a name is a value or a failure, and fails where it is used: in a plan, and where it may
+    /// not be needed.
+    pub(super) fn is_kept_as_failure(&self, e: ExprId) -> bool {
+        self.mode == Mode::Build && self.may_fail(e) || self.placement.is_uncertain(e)
+    }
+
     /// The statements of a region: a `let` for each expression that is used more than once or further in. Those of
     /// `results` are written by the caller where they are used only there.
     pub(super) fn statements(&mut self, region: RegionId, results: &[ExprId]) -> TokenStream {
@@ -130,7 +136,7 @@ impl<'a> Body<'a> {
             }
             let name = format_ident!("t{}", e.0);
             let value = self.value(e);
-            let statement = match self.mode == Mode::Build && self.may_fail(e) {
+            let statement = match self.is_kept_as_failure(e) {
                 true => {
                     let ty = self.context.inner_type(self.ty(e));
                     quote!(let #name: rt::Fallible<#ty> = (|| ::std::result::Result::Ok(#value))();)
@@ -170,7 +176,7 @@ impl<'a> Body<'a> {
             _ => {
                 let result = results.contains(&e) || self.placement.is_result_here(arena, e);
                 let uses = self.placement.uses(arena, e, result);
-                uses <= 1 && !(self.mode == Mode::Build && self.may_fail(e))
+                uses <= 1 && !self.is_kept_as_failure(e)
             }
         }
     }

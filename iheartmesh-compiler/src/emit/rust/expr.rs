@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::block::{Body, Mode, is_copy, row_name};
+use super::block::{Body, is_copy, row_name};
 use crate::ir::{Binary, Elementary, ExprId, Kind, Unary};
 use crate::syntax::ast::CompareOp;
 use crate::types::{Number, Type};
@@ -15,7 +15,7 @@ impl Body<'_> {
             return self.value(e);
         };
         let copy = is_copy(self.ty(e));
-        match (self.mode == Mode::Build && self.may_fail(e), copy) {
+        match (self.is_kept_as_failure(e), copy) {
             (true, true) => quote!(#name?),
             (true, false) => quote!(#name.clone()?),
             (false, true) => quote!(#name),
@@ -32,7 +32,7 @@ impl Body<'_> {
             let value = self.value(e);
             return quote!(&#value);
         };
-        match self.mode == Mode::Build && self.may_fail(e) {
+        match self.is_kept_as_failure(e) {
             true => quote!(#name.as_ref().map_err(|fault| *fault)?),
             false => quote!(&#name),
         }

@@ -2,7 +2,8 @@
 //!
 //! A body is a tree of *regions*: the body itself, the inside of each loop, each branch of a choice. An expression
 //! is evaluated in the innermost region that holds all its uses; it is moved out of loops whose variable it does not
-//! depend on, if it cannot fail. Nothing is moved out of a branch.
+//! depend on, if it cannot fail. Where its uses lie in several branches of which none may be taken, it is *uncertain*: there
+//! it is a value or a failure, and fails where it is used.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,6 +36,8 @@ struct Region {
     variables: Vec<VariableId>,
     /// The expressions that are evaluated in it, operands first.
     placed: Vec<ExprId>,
+    /// The branches of the choices that are surely evaluated in it.
+    choices: Vec<[RegionId; 2]>,
 }
 
 /// The regions of a body and what is evaluated in each.
@@ -44,6 +47,11 @@ pub struct Placement {
     parts: BTreeMap<(ExprId, Part), RegionId>,
     place: BTreeMap<ExprId, RegionId>,
     uses: BTreeMap<ExprId, usize>,
+    /// Where each expression is surely needed: where one of its uses is evaluated, itself not uncertain.
+    needed: BTreeMap<ExprId, BTreeSet<RegionId>>,
+    uncertain: BTreeSet<ExprId>,
+    /// The region of an uncertain expression while its operands are met.
+    unsure: Option<RegionId>,
 }
 
 /// What an emitter wants to be evaluated.
@@ -80,6 +88,9 @@ impl Placement {
             parts: BTreeMap::new(),
             place: BTreeMap::new(),
             uses: BTreeMap::new(),
+            needed: BTreeMap::new(),
+            uncertain: BTreeSet::new(),
+            unsure: None,
         };
         for (parent, variable) in &roots.regions {
             placement.add_region(parent.map(RegionId), variable.iter().copied());
@@ -92,7 +103,12 @@ impl Placement {
         // an operand comes before its uses, so that going backward meets all uses first
         while let Some((e, used)) = pending.pop_last() {
             let mut region = used;
-            if hoist && !deep_may_fail(arena, e, &may_fail, &mut fails) {
+            let may_fail = deep_may_fail(arena, e, &may_fail, &mut fails);
+            if may_fail && !placement.is_needed_in(e, region) {
+                placement.uncertain.insert(e);
+                placement.unsure = Some(region);
+            }
+            if hoist && !may_fail {
                 while let Some(outer) = placement.outside_of_loop(arena, e, region) {
                     region = outer;
                 }
@@ -100,11 +116,29 @@ impl Placement {
             placement.place.insert(e, region);
             placement.regions[region.0].placed.push(e);
             placement.use_operands(arena, &mut pending, e, region);
+            placement.unsure = None;
         }
         for region in &mut placement.regions {
             region.placed.reverse();
         }
         placement
+    }
+
+    /// Whether the value of an expression is needed whenever a region is entered: in it, or in both branches of a choice.
+    fn is_needed_in(&self, e: ExprId, region: RegionId) -> bool {
+        let Some(needed) = self.needed.get(&e) else {
+            return false;
+        };
+        needed.contains(&region)
+            || self.regions[region.0]
+                .choices
+                .iter()
+                .any(|branches| branches.iter().all(|branch| self.is_needed_in(e, *branch)))
+    }
+
+    /// Whether an expression that may fail is evaluated where it may not be needed.
+    pub fn is_uncertain(&self, e: ExprId) -> bool {
+        self.uncertain.contains(&e)
     }
 
     fn add_region(
@@ -118,12 +152,16 @@ impl Placement {
             depth,
             variables: variables.into_iter().collect(),
             placed: Vec::new(),
+            choices: Vec::new(),
         });
         RegionId(self.regions.len() - 1)
     }
 
     fn use_in(&mut self, pending: &mut BTreeMap<ExprId, RegionId>, e: ExprId, region: RegionId) {
         *self.uses.entry(e).or_insert(0) += 1;
+        if self.unsure != Some(region) {
+            self.needed.entry(e).or_default().insert(region);
+        }
         let region = match pending.get(&e) {
             Some(&other) => self.common(other, region),
             None => region,
@@ -142,10 +180,14 @@ impl Placement {
             Kind::If(condition, a, b) => {
                 let (a, b) = (*a, *b);
                 self.use_in(pending, *condition, region);
-                for (part, branch) in [(Part::Then, a), (Part::Else, b)] {
+                let branches = [(Part::Then, a), (Part::Else, b)].map(|(part, branch)| {
                     let inside = self.add_region(Some(region), []);
                     self.parts.insert((e, part), inside);
                     self.use_in(pending, branch, inside);
+                    inside
+                });
+                if self.unsure.is_none() {
+                    self.regions[region.0].choices.push(branches);
                 }
             }
             Kind::And(a, b) | Kind::Or(a, b) => {
