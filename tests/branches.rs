@@ -56,8 +56,8 @@ fn what_is_not_needed_may_be_missing() {
         (3, 2, None),
     ] {
         let (fast, plain) = (
-            Nested::new(&x, a, b).unwrap(),
-            PlainNested::new(&x, a, b).unwrap(),
+            Nested::new(x, a, b).unwrap(),
+            PlainNested::new(x, a, b).unwrap(),
         );
         assert_eq!(fast.try_z().ok(), z);
         assert_eq!(plain.try_z().ok(), z);
