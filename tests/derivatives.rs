@@ -86,6 +86,20 @@ programs! {
         mixed = ∂³(a² b²)/∂a²∂b
     "#;
 
+    Calls, PlainCalls = r#"
+        vec from linearalgebra
+        x ∈ ℝ
+        p_i ∈ ℝ²
+        h(t) = t² + 1/t where t ∈ ℝ
+        y = h(h(h(x)))
+        dy = ∂y/∂x
+        z = h(h(x))
+        d2z = ∂²z/∂x²
+        W = vec(p) ⋅ vec(p)
+        H = ∂²W/∂p²
+        G = ∂²(‖vec(p)‖⁴)/∂p²
+    "#;
+
     Descent, PlainDescent = r#"
         ElementSets from MeshConnectivity
         Vertices, VertexOneRing from Neighborhoods(M)
@@ -222,6 +236,22 @@ fn sequences_in_the_order_of_vec() {
     let v = DVec2::new(1.0, 2.0);
     let n = module.n(v);
     assert!((n - DMat2::from_cols_array(&[28.0, 16.0, 16.0, 52.0])).abs_diff_eq(DMat2::ZERO, 1e-12));
+}
+
+#[test]
+fn calls_inside_of_calls_and_stacked_items() {
+    let m = Calls::new(0.8, vec![DVec2::new(1.0, 2.0), DVec2::new(-0.5, 0.25)]).unwrap();
+    let h = |t: f64| t * t + 1.0 / t;
+    let slope = |t: f64| 2.0 * t - 1.0 / (t * t);
+    let bend = |t: f64| 2.0 + 2.0 / (t * t * t);
+    let (a, b, c) = (0.8, h(0.8), h(h(0.8)));
+    assert!((m.dy() - slope(a) * slope(b) * slope(c)).abs() < 1e-12);
+    let expected = bend(b) * slope(a).powi(2) + slope(b) * bend(a);
+    assert!((m.d2z() - expected).abs() < 1e-12);
+    assert_eq!(m.H(), 2.0 * DMatrix::identity(4, 4));
+    let u = dvector![1.0, 2.0, -0.5, 0.25];
+    let expected = 8.0 * &u * u.transpose() + DMatrix::identity(4, 4) * (4.0 * u.norm_squared());
+    close(&m.G(), &expected);
 }
 
 #[test]

@@ -134,8 +134,10 @@ impl<'a> Normal<'a> {
                     ));
                 }
                 let body = function.body;
-                let parameters = function.parameters.iter().map(|p| p.variable);
-                let values = parameters.zip(arguments.iter().copied()).collect();
+                let parameters: Vec<_> = function.parameters.iter().map(|p| p.variable).collect();
+                // first the arguments: in `h(h(x))`, `h` does not call itself
+                let arguments = self.arguments(arguments)?;
+                let values = parameters.into_iter().zip(arguments).collect();
                 let body = rewrite::substitute(&mut self.program.arena, body, &values);
                 self.open.push(*id);
                 let body = self.expr(body);
@@ -163,6 +165,17 @@ impl<'a> Normal<'a> {
             for e in [rebuilt, done] {
                 self.program.arena.note_origin(e, span);
             }
+        }
+        Ok(done)
+    }
+
+    /// Arguments of a call in normal form, which they stay where the body names them.
+    fn arguments(&mut self, arguments: &[ExprId]) -> Result<Vec<ExprId>, Trouble> {
+        let mut done = Vec::with_capacity(arguments.len());
+        for &argument in arguments {
+            let argument = self.expr(argument)?;
+            self.memo.insert(argument, argument);
+            done.push(argument);
         }
         Ok(done)
     }

@@ -26,7 +26,7 @@ Compiles a program and prints what it is at a stage:
   plan    the optimised program: what is computed once per mesh, and what each time
   rust    the generated Rust (the default)
 
-  --without PASS     leaves out an optimisation: traverse, inline, products, share, plan, fields, orbits, slots, or all
+  --without PASS     leaves out an optimisation: traverse, inline, products, nonzeros, steps, share, plan, corners, fields, orbits, slots, or all
   --together NAMES   definitions that are asked for at once, as in `--together e,g,H`
   --library FOLDER   looks for imported modules in FOLDER as well; the standard ones are built in; the folder of the file and any
                      `neighborhoods/src` above it or above the current folder are always looked at

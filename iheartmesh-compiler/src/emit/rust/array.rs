@@ -463,7 +463,10 @@ impl Body<'_> {
             }
             Binary::Solve => quote!(rt::solve::<#ty>(#a, #b, #site)?),
             Binary::NormWeighted => quote!(rt::norm_weighted(#a, #b)),
-            Binary::Unstack if sequence => quote!(rt::unstack_items(&(#a)[..], #b, #site)?),
+            // the type is named, since what is done with the items need not tell it
+            Binary::Unstack if sequence => {
+                quote!({ let items: #ty = rt::unstack_items(&(#a)[..], #b, #site)?; items })
+            }
             Binary::Unstack => quote!(rt::unstack::<#ty>(#a, #b, #site)?),
             other => panic!("bug in iheartmesh: no Rust for {other:?} of arrays"),
         }
