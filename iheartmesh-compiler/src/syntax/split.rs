@@ -155,7 +155,8 @@ impl Splitter<'_> {
                         self.push_name(names, &name, Token { end, ..token });
                         index = next;
                     } else {
-                        self.word(names, &word, token, longest);
+                        let called = following.kind == Kind::LeftParen && !following.space;
+                        self.word(names, &word, token, longest, called);
                     }
                 }
                 Kind::Quoted(id) => {
@@ -230,7 +231,8 @@ impl Splitter<'_> {
         found
     }
 
-    fn word(&mut self, item: &Names, word: &str, token: Token, longest: usize) {
+    /// A run of letters; `called` says that a parenthesis follows.
+    fn word(&mut self, item: &Names, word: &str, token: Token, longest: usize, called: bool) {
         let whole = self.visible(item, word).is_some() || builtin::TYPE_WORDS.contains(&word);
         let single = letter(word).is_some_and(|(length, _)| length == word.len());
         if whole || single {
@@ -264,6 +266,19 @@ impl Splitter<'_> {
                 true => self.plain_differential(item, &pieces[1].0, token),
                 false => self.unknown(item, word, token),
             };
+        }
+        if called
+            && let Some(import) = builtin::import_of(word)
+            && self.errors.len() < super::MOST_ERRORS
+        {
+            let span = Span::new(self.source, token.start as usize, token.end as usize);
+            let names: Vec<&str> = split.iter().map(|(name, ..)| name.as_str()).collect();
+            let message = format!("`{word}` is read as the product `{}`", names.join(" "));
+            let help = format!(
+                "`{import}` imports the function; separate the letters where the product is meant"
+            );
+            self.errors
+                .push(Diagnostic::warning(span, message).help(help));
         }
         for (name, digit, at, count) in split {
             let piece = Token {
