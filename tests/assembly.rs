@@ -224,7 +224,7 @@ for_both! {
             }
         }
         near_vectors(&module.b(), &b);
-        near(&module.J(), &jacobian);
+        near(&dense(&module.J()), &jacobian);
         near_vectors(&module.g(), &(jacobian.transpose() * &y));
         near_vectors(&module.q(), &(jacobian.transpose() * &b * 2.0));
     }

@@ -145,6 +145,10 @@ programs! {
         p = H vec(u)
         q = `θ` vec(u)
         r = vec(u)ᵀ A
+        t_i = ‖u_i‖² ∑_j ‖u_j‖²
+        B = ∂t/∂u
+        y = B vec(x)
+        z = tᵀ B
         s = `θ` [vec(u)  vec(x)]
     "#;
 }
@@ -329,18 +333,26 @@ for_both! {
                     row(module.o()),
                 ];
                 let (r, q, m, t) = (module.r(), module.q(), module.m(), module.t());
-                let (j, c, a) = (module.J(), module.C(), module.A());
+                let dense = |a: &CsMat<f64>| {
+                    let mut all = DMatrix::zeros(a.rows(), a.cols());
+                    for (entry, (i, j)) in a {
+                        all[(i, j)] = *entry;
+                    }
+                    all
+                };
+                let [j, c, a] = [module.J(), module.C(), module.A()].map(|a| dense(&a));
+                let [q_of_x, t_of_u] = [module.Q(), module.T()].map(|a| dense(&a));
                 let expected = [
                     &j * &v,
                     j.transpose() * &r,
                     c.transpose() * &r,
                     -(&c - 2.0 * &j) * &v / w,
-                    module.Q() * &v,
-                    3.0 * module.Q().transpose() * q,
+                    &q_of_x * &v,
+                    3.0 * q_of_x.transpose() * q,
                     &a * &v,
                     a.transpose() * m,
-                    module.T() * &t,
-                    module.T().transpose() * &t,
+                    &t_of_u * &t,
+                    t_of_u.transpose() * &t,
                 ];
                 for (found, expected) in found.iter().zip(&expected) {
                     near(found, expected);
@@ -365,7 +377,11 @@ for_both! {
             near(&module.p(), &times(&module.H(), &v));
             near(&q, &times(&module.theta(), &v));
             near(&r.column(0).into_owned(), &times(&module.A(), &v));
+            // each entry takes all of u
+            let (b, t, z) = (module.B(), module.t(), module.z().transpose());
+            near(&z.column(0).into_owned(), &(b.transpose() * t));
             let place = DVector::from_iterator(12, x.iter().flat_map(|x| x.to_array()));
+            near(&module.y(), &(b * &place));
             near(&s.column(0).into_owned(), &q);
             near(&s.column(1).into_owned(), &times(&module.theta(), &place));
         }

@@ -168,6 +168,7 @@ fn overloads() {
 #[test]
 fn derivatives() {
     check(&small("derivatives"));
+    check(&small("sparse_derivatives"));
 }
 
 #[test]

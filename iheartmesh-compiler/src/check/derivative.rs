@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{ExprId, Kind};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::types::{Shape, Type};
+use crate::types::{Dimension, Shape, Type};
 
 impl<'a> Checker<'a> {
     /// `∂y/∂x`, `∂²y/∂x²`, `∂²y/∂a∂b`.
@@ -152,8 +152,10 @@ impl<'a> Checker<'a> {
         };
         match result {
             Ok(derivative) => {
-                if let [(_, a), (_, b)] = variables {
-                    self.note_dense(span, derivative, value, (*a, *b));
+                match variables {
+                    [(_, x)] if is_vector => self.note_dense_jacobian(span, derivative, *x),
+                    [(_, a), (_, b)] => self.note_dense(span, derivative, value, (*a, *b)),
+                    _ => {}
                 }
                 derivative
             }
@@ -168,17 +170,31 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Whether a matrix of derivatives by the items of a mesh is dense.
+    fn is_large(&self, derivative: ExprId, by: &[ExprId]) -> bool {
+        let ty = self.ty(derivative);
+        let is_fixed = |n: &Dimension| n.value().is_some();
+        let is_large = match ty.shape() {
+            Some(Shape::Matrix(n, m)) => !ty.is_sparse() && !is_fixed(&n) && !is_fixed(&m),
+            _ => false,
+        };
+        let of_mesh =
+            |x: &ExprId| matches!(self.ty(*x), Type::Sequence { length, .. } if !is_fixed(length));
+        is_large && !self.program.meshes.is_empty() && by.iter().all(of_mesh)
+    }
+
+    fn note_dense_jacobian(&mut self, span: Span, derivative: ExprId, by: ExprId) {
+        if self.is_large(derivative, &[by]) {
+            let message = "this matrix of derivatives is dense, since an entry of the vector takes many items at once";
+            self.diagnostics.push(Diagnostic::note(span, message).help(
+                "it is sparse where each entry of the vector takes a few items of the variable; products with it do not form it",
+            ));
+        }
+    }
+
     /// Says that second derivatives by the items of a mesh are a dense matrix, and why.
     fn note_dense(&mut self, span: Span, derivative: ExprId, value: ExprId, by: (ExprId, ExprId)) {
-        let ty = self.ty(derivative).clone();
-        let of_mesh =
-            |ty: &Type| matches!(ty, Type::Sequence { length, .. } if length.value().is_none());
-        let is_dense = matches!(ty.shape(), Some(Shape::Matrix(..))) && !ty.is_sparse();
-        if self.program.meshes.is_empty()
-            || !is_dense
-            || !of_mesh(self.ty(by.0))
-            || !of_mesh(self.ty(by.1))
-        {
+        if !self.is_large(derivative, &[by.0, by.1]) {
             return;
         }
         let Some(term) = derive::dense_because(&mut self.program, value, by.0, by.1) else {

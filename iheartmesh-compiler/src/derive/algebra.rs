@@ -47,35 +47,6 @@ impl Algebra<'_> {
         }
     }
 
-    /// Number of rows or columns of an expression as a value.
-    pub(super) fn size(&mut self, e: ExprId, axis: u8) -> ExprId {
-        let known = match self.ty(e).shape() {
-            Some(Shape::Scalar) => Some(1),
-            Some(Shape::Vector(n)) => match axis {
-                0 => n.value(),
-                _ => Some(1),
-            },
-            Some(Shape::Matrix(n, m)) => match axis {
-                0 => n.value(),
-                _ => m.value(),
-            },
-            None => None,
-        };
-        match known {
-            Some(n) => self.arena.integer(n),
-            None => self.arena.add(Kind::Extent(e, axis), Type::INTEGER),
-        }
-    }
-
-    /// Rows and columns where both are known.
-    pub(super) fn fixed(&self, e: ExprId) -> Option<(i64, i64)> {
-        match self.arena.ty(e).shape()? {
-            Shape::Scalar => Some((1, 1)),
-            Shape::Vector(n) => Some((n.value()?, 1)),
-            Shape::Matrix(n, m) => Some((n.value()?, m.value()?)),
-        }
-    }
-
     /// The dense type of a value.
     pub(super) fn dense(&self, e: ExprId) -> Type {
         match self.arena.ty(e).shape() {

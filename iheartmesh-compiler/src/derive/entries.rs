@@ -106,6 +106,15 @@ impl Normal<'_> {
                 Ok(self.algebra().divide(a, divisor))
             }
             Kind::Binary(Binary::Product, a, b)
+                if let Kind::Unary(Unary::Diagonal, factors) = self.kind(a)
+                    && is_vector(self.program.arena.ty(factors))
+                    && is_vector(self.program.arena.ty(b)) =>
+            {
+                let factor = self.added(Kind::Component(factors, k), Type::REAL)?;
+                let b = self.added(entry(b), Type::REAL)?;
+                Ok(self.algebra().scale(factor, b))
+            }
+            Kind::Binary(Binary::Product, a, b)
                 if is_vector(self.program.arena.ty(b)) && !is_vector(self.program.arena.ty(a)) =>
             {
                 let Some(Shape::Matrix(_, m)) = self.program.arena.ty(a).shape() else {
@@ -205,9 +214,23 @@ impl Normal<'_> {
                 let entry = self.added(Kind::At(a, i, j), Type::REAL)?;
                 Ok(self.algebra().negate(entry))
             }
+            Kind::Binary(op @ (Binary::Add | Binary::Subtract | Binary::Hadamard), a, b) => {
+                let a = self.added(Kind::At(a, i, j), Type::REAL)?;
+                let b = self.added(Kind::At(b, i, j), Type::REAL)?;
+                let mut algebra = self.algebra();
+                Ok(match op {
+                    Binary::Add => algebra.add(a, b),
+                    Binary::Subtract => algebra.subtract(a, b),
+                    _ => algebra.scale(a, b),
+                })
+            }
             Kind::Binary(Binary::Multiply, factor, a) => {
                 let entry = self.added(Kind::At(a, i, j), Type::REAL)?;
                 Ok(self.algebra().scale(factor, entry))
+            }
+            Kind::Binary(Binary::Divide, a, divisor) => {
+                let entry = self.added(Kind::At(a, i, j), Type::REAL)?;
+                Ok(self.algebra().divide(entry, divisor))
             }
             _ => Ok(e),
         }

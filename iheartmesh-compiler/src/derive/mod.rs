@@ -13,12 +13,15 @@ mod algebra;
 mod bound;
 mod elementary;
 mod entries;
+mod extent;
 mod hessian;
+mod jacobian;
 mod loops;
 mod normal;
 mod reductions;
 mod reverse;
 mod rules;
+mod sparse;
 mod stencil;
 
 use crate::ir::{Binary, ExprId, Kind, Layout, Program};
@@ -83,6 +86,7 @@ pub fn first(program: &mut Program, y: ExprId, x: ExprId) -> Result<ExprId, Trou
                 normal: &mut normal,
                 x,
                 second: false,
+                row: None,
                 sizes: vec![size],
                 ty: Type::real_vector(length),
                 otherwise: |normal: &mut Normal<'_>, term| gradient(normal, term, x),
@@ -90,7 +94,7 @@ pub fn first(program: &mut Program, y: ExprId, x: ExprId) -> Result<ExprId, Trou
             stencil.of(y)
         }
         true => gradient(&mut normal, y, x),
-        false => hessian::jacobian(&mut normal, y, x, false),
+        false => jacobian::jacobian(&mut normal, y, x, false),
     }
 }
 
@@ -126,6 +130,7 @@ pub fn value(program: &mut Program, y: ExprId, x: ExprId) -> ExprId {
         normal: &mut normal,
         x,
         second: false,
+        row: None,
         sizes: Vec::new(),
         ty: Type::REAL,
         otherwise: |_: &mut Normal<'_>, term| Ok(term),

@@ -202,7 +202,13 @@ impl<'a> Normal<'a> {
             };
             all.insert(*variable, value);
         }
-        let body = rewrite::substitute(&mut self.program.arena, body, &all);
+        let has_elements = values
+            .iter()
+            .any(|(_, value)| self.program.arena.ty(*value).is_element());
+        let mut body = rewrite::substitute(&mut self.program.arena, body, &all);
+        if has_elements {
+            body = rewrite::at_elements(&mut self.program.arena, body);
+        }
         self.expr(body)
     }
 
@@ -357,6 +363,26 @@ impl<'a> Normal<'a> {
                 }
                 _ => Ok(e),
             },
+            (Unary::Trace, Kind::Binary(Binary::Product, b, c)) => {
+                let transposed = |this: &Self, a: ExprId| match this.kind(a) {
+                    Kind::Unary(Unary::Transpose, a) if !is_vector(this.program.arena.ty(a)) => {
+                        Some(a)
+                    }
+                    _ => None,
+                };
+                // tr(Bᵀ C) is B : C, and tr(Bᵀ M C) is B : M C
+                if let Some(b) = transposed(self, b) {
+                    return self.inner(b, c);
+                }
+                if let Kind::Binary(Binary::Product, b, m) = self.kind(b)
+                    && let Some(b) = transposed(self, b)
+                {
+                    let ty = self.algebra().dense(b);
+                    let product = self.algebra().product(m, c, &ty);
+                    return self.inner(b, product);
+                }
+                Ok(e)
+            }
             (Unary::Apply(_), _) if !scalar && !sequence => {
                 self.entry_by_entry(e, a, |algebra, entry| algebra.unary(op, entry, Type::REAL))
             }
@@ -369,7 +395,7 @@ impl<'a> Normal<'a> {
         match (op, self.kind(a), exponent) {
             (Binary::Power, kind, Some(p)) if p >= 2.0 && p % 2.0 == 0.0 => {
                 let square = match kind {
-                    Kind::Unary(Unary::Norm, u) => self.algebra().inner(u, u),
+                    Kind::Unary(Unary::Norm, u) => self.inner(u, u)?,
                     Kind::Unary(Unary::SquareRoot, s) => s,
                     _ => return Ok(e),
                 };
@@ -381,16 +407,13 @@ impl<'a> Normal<'a> {
                         .binary(Binary::Power, square, half, Type::REAL),
                 })
             }
-            (Binary::Multiply, Kind::Unary(Unary::Norm, u), _) if a == b => {
-                Ok(self.algebra().inner(u, u))
-            }
+            (Binary::Multiply, Kind::Unary(Unary::Norm, u), _) if a == b => self.inner(u, u),
+            (Binary::Dot | Binary::Frobenius, _, _) => self.inner_of_entries(a, b, e),
             (Binary::Multiply, Kind::Unary(Unary::SquareRoot, s), _) if a == b => Ok(s),
-            (Binary::Product, Kind::Unary(Unary::Transpose, u), _)
-                if self.program.arena.ty(e).is_scalar()
-                    && is_vector(self.program.arena.ty(u))
-                    && is_vector(self.program.arena.ty(b)) =>
+            (Binary::Product, _, _)
+                if self.program.arena.ty(e).is_scalar() && is_vector(self.program.arena.ty(b)) =>
             {
-                Ok(self.algebra().inner(u, b))
+                Ok(self.row_times(a, b)?.unwrap_or(e))
             }
             (Binary::NormWeighted, _, _) => {
                 let ty = self.algebra().dense(a);
@@ -426,6 +449,35 @@ impl<'a> Normal<'a> {
                 Ok(power)
             }
             _ => Ok(e),
+        }
+    }
+
+    /// The product of a row and a vector: `(k uᵀ M) v` is `k (u ⋅ M v)`.
+    fn row_times(&mut self, row: ExprId, v: ExprId) -> Result<Option<ExprId>, Trouble> {
+        match self.kind(row) {
+            Kind::Unary(Unary::Transpose, u) if is_vector(self.program.arena.ty(u)) => {
+                self.inner(u, v).map(Some)
+            }
+            Kind::Unary(Unary::Negate, row) => {
+                let product = self.row_times(row, v)?;
+                Ok(product.map(|product| self.algebra().negate(product)))
+            }
+            Kind::Binary(Binary::Multiply, k, row) => {
+                let product = self.row_times(row, v)?;
+                Ok(product.map(|product| self.algebra().scale(k, product)))
+            }
+            Kind::Binary(Binary::Divide, row, k) => {
+                let product = self.row_times(row, v)?;
+                Ok(product.map(|product| self.algebra().divide(product, k)))
+            }
+            Kind::Binary(Binary::Product, row, m) => {
+                let Some(Shape::Matrix(n, _)) = self.program.arena.ty(m).shape() else {
+                    return Ok(None);
+                };
+                let product = self.algebra().product(m, v, &Type::real_vector(n));
+                self.row_times(row, product)
+            }
+            _ => Ok(None),
         }
     }
 }

@@ -3,7 +3,8 @@
 use super::Trouble;
 use super::algebra::{Algebra, SMALL};
 use super::normal::{Normal, is_vector};
-use crate::ir::{Binary, ExprId, Fold, Kind, Layout, Range};
+use crate::ir::{Binary, ExprId, Fold, Kind, Layout, Range, Unary};
+use crate::optimize::rewrite;
 use crate::types::{Shape, Type};
 
 impl Normal<'_> {
@@ -51,6 +52,125 @@ impl Normal<'_> {
             return Ok(sum);
         }
         self.fold_entries(Fold::Sum, a, f)
+    }
+
+    /// The sum of the products of the entries of two values in normal form.
+    pub(super) fn inner(&mut self, a: ExprId, b: ExprId) -> Result<ExprId, Trouble> {
+        let whole = self.algebra().inner(a, b);
+        match self.kind(whole) {
+            Kind::Binary(Binary::Dot | Binary::Frobenius, a, b) => {
+                self.inner_of_entries(a, b, whole)
+            }
+            _ => Ok(whole),
+        }
+    }
+
+    /// The same, entry by entry where one of them is known by its entries and the other does not take long to find them of.
+    pub(super) fn inner_of_entries(
+        &mut self,
+        a: ExprId,
+        b: ExprId,
+        whole: ExprId,
+    ) -> Result<ExprId, Trouble> {
+        let shape = self.program.arena.ty(a).shape();
+        let is_fixed = self.algebra().fixed(a).is_some() || self.algebra().fixed(b).is_some();
+        let known = [a, b].map(|e| self.is_known_by_entries(e));
+        if is_fixed || known.contains(&None) || !known.contains(&Some(true)) {
+            return Ok(whole);
+        }
+        let term = |this: &mut Self, i: ExprId, j: Option<ExprId>| {
+            let mut entries = [a, b];
+            for entry in &mut entries {
+                let active = this.is_active(*entry);
+                let kind = match j {
+                    None => Kind::Component(*entry, i),
+                    Some(j) => Kind::At(*entry, i, j),
+                };
+                *entry = this.program.arena.add(kind, Type::REAL);
+                if active {
+                    *entry = this.rule(*entry)?;
+                }
+                *entry = rewrite::at_elements(&mut this.program.arena, *entry);
+            }
+            Ok(this.algebra().scale(entries[0], entries[1]))
+        };
+        let (dimensions, short) = match shape {
+            Some(Shape::Vector(n)) => (vec![(0, n)], None),
+            Some(Shape::Matrix(n, m)) => match (n.value(), m.value()) {
+                (None, Some(m)) if m <= SMALL => (vec![(0, n)], Some(m)),
+                (Some(n), None) if n <= SMALL => (vec![(1, m)], Some(n)),
+                _ => (vec![(0, n), (1, m)], None),
+            },
+            _ => return Ok(whole),
+        };
+        let mut loops = Vec::new();
+        for (axis, dimension) in &dimensions {
+            let size = self.algebra().size(a, *axis);
+            loops.push(rewrite::each(&mut self.program.arena, dimension, size));
+        }
+        let places: Vec<ExprId> = loops.iter().map(|(_, place, _)| *place).collect();
+        let places: Vec<ExprId> = places
+            .into_iter()
+            .map(|p| self.algebra().place(p))
+            .collect();
+        let mut sum = match (short, &places[..]) {
+            (Some(few), [place]) => {
+                let mut sum = self.algebra().real(0.0);
+                for k in 1..=few {
+                    let k = self.program.arena.integer(k);
+                    let product = match dimensions[0].0 {
+                        0 => term(self, *place, Some(k))?,
+                        _ => term(self, k, Some(*place))?,
+                    };
+                    sum = self.algebra().add(sum, product);
+                }
+                sum
+            }
+            (_, [i]) => term(self, *i, None)?,
+            (_, [i, j]) => term(self, *i, Some(*j))?,
+            _ => return Ok(whole),
+        };
+        for (variable, _, range) in loops.into_iter().rev() {
+            let kind = Kind::Fold {
+                op: Fold::Sum,
+                variable,
+                range,
+                condition: None,
+                body: sum,
+            };
+            sum = self.program.arena.add(kind, Type::REAL);
+        }
+        Ok(sum)
+    }
+
+    /// Whether a value is given entry by entry, or made of such; nothing where an entry is as much work as all of them.
+    fn is_known_by_entries(&mut self, e: ExprId) -> Option<bool> {
+        if !self.is_active(e) {
+            return Some(false);
+        }
+        match self.kind(e) {
+            Kind::Tabulate { layout, .. } => (layout != Layout::Sequence).then_some(true),
+            Kind::Unary(Unary::Negate | Unary::Transpose, a)
+            | Kind::Binary(Binary::Multiply, _, a)
+            | Kind::Binary(Binary::Divide, a, _)
+            | Kind::Agree(_, _, a) => self.is_known_by_entries(a),
+            Kind::Binary(Binary::Add | Binary::Subtract | Binary::Hadamard, a, b) => {
+                let (a, b) = (self.is_known_by_entries(a)?, self.is_known_by_entries(b)?);
+                Some(a || b)
+            }
+            Kind::Binary(Binary::Product, m, a) => match self.kind(m) {
+                Kind::Unary(Unary::Diagonal, factors)
+                    if is_vector(self.program.arena.ty(factors))
+                        && is_vector(self.program.arena.ty(a)) =>
+                {
+                    let factors = self.is_known_by_entries(factors)?;
+                    Some(factors | self.is_known_by_entries(a)?)
+                }
+                _ => None,
+            },
+            Kind::Input(_) | Kind::Variable(_) => Some(false),
+            _ => None,
+        }
     }
 
     /// The least or greatest of what is made of each entry.

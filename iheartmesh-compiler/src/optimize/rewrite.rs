@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::ir::{Arena, ExprId, Kind, Program, VariableId};
+use crate::ir::{Arena, ExprId, Kind, Program, Range, Unary, VariableId};
+use crate::types::{Atom, Dimension, Type};
 
 /// Rewrites every definition and function of a program: `rule` sees each expression after its operands have been
 /// rewritten, and gives what takes its place.
@@ -71,6 +72,35 @@ pub fn put(
     }
     memo.insert(e, done);
     done
+}
+
+/// The variable and range of a loop over all numbers of a size, and the place that it is at: over elements where there is one
+/// for each number, so that it is one over the rows of a plan.
+pub fn each(arena: &mut Arena, dimension: &Dimension, size: ExprId) -> (VariableId, ExprId, Range) {
+    let (range, ty) = match dimension.as_atom() {
+        Some(Atom::Count(element)) => {
+            let ty = Type::Element(*element);
+            let all = Kind::AllElements(*element);
+            let all = arena.add(all, Type::Set(Box::new(ty.clone())));
+            (Range::Set(all), ty)
+        }
+        _ => (Range::Integers(arena.integer(1), size), Type::INTEGER),
+    };
+    let variable = arena.new_variable("k", ty);
+    (variable, arena.variable(variable), range)
+}
+
+/// The element with the number of an element is this element.
+pub fn at_elements(arena: &mut Arena, e: ExprId) -> ExprId {
+    upward(arena, e, &mut HashMap::new(), &mut |arena, e| {
+        let Kind::Unary(Unary::ToElement, number) = *arena.kind(e) else {
+            return e;
+        };
+        match *arena.kind(number) {
+            Kind::Unary(Unary::ToInteger, element) if arena.ty(element) == arena.ty(e) => element,
+            _ => e,
+        }
+    })
 }
 
 /// Replaces variables by expressions. Binders inside get new variables, so that each variable keeps one binder.

@@ -36,6 +36,8 @@ pub(super) struct Stencil<'n, 'a, F> {
     pub(super) x: ExprId,
     /// Whether second derivatives are asked for.
     pub(super) second: bool,
+    /// The row of a matrix that first derivatives are put in.
+    pub(super) row: Option<ExprId>,
     /// Its sizes and type.
     pub(super) sizes: Vec<ExprId>,
     pub(super) ty: Type,
@@ -221,7 +223,7 @@ where
         facts: &[(ExprId, bool)],
         left: usize,
     ) -> Option<ExprId> {
-        let second = self.second;
+        let (second, row) = (self.second, self.row);
         let mut formulas = Formulas::new(self.normal, self.x, facts);
         let found = formulas.number(y).and_then(|mut e| {
             if let Some(factor) = factor {
@@ -231,7 +233,11 @@ where
                 true => formulas.second_block(e),
                 false => formulas.first_block(e),
             };
-            block.ok_or(Stop::Unknown)
+            let block = block.ok_or(Stop::Unknown)?;
+            Ok(match row {
+                Some(row) => block.map(|block| formulas.in_row(block, row)),
+                None => block,
+            })
         });
         match found {
             Ok(block) => Some(self.assembled(block.into_iter().collect())),
@@ -300,6 +306,21 @@ impl Formulas<'_, '_> {
             value,
             core: None,
         }))
+    }
+
+    /// First derivatives in a row of a matrix.
+    fn in_row(&mut self, block: Block, row: ExprId) -> Block {
+        let mut s = self.normal.algebra();
+        let value = match s.ty(block.value).is_scalar() {
+            true => block.value,
+            false => s.transpose(block.value),
+        };
+        Block {
+            rows: vec![row],
+            columns: block.rows,
+            value,
+            core: None,
+        }
     }
 
     /// The second derivatives of a formula; no block where they are 0.

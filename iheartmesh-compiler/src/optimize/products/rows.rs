@@ -11,9 +11,9 @@
 use std::collections::HashMap;
 
 use super::Product;
-use crate::ir::{Binary, Block, ExprId, Fold, Kind, Range, Unary, VariableId};
+use crate::ir::{Binary, Block, ExprId, Fold, Kind, Unary, VariableId};
 use crate::optimize::rewrite;
-use crate::types::{Atom, Shape, Type};
+use crate::types::{Shape, Type};
 
 impl Product<'_> {
     /// The product of a vector and a matrix whose row with a number is `row`.
@@ -35,24 +35,12 @@ impl Product<'_> {
             true => size,
             false => self.arena.add(Kind::Size(rows.clone()), Type::INTEGER),
         };
-        // a loop over elements is one over the rows of a plan
-        let (place, number, range, variable) = match rows.as_atom() {
-            Some(Atom::Count(element)) => {
-                let ty = Type::Element(*element);
-                let all = Kind::AllElements(*element);
-                let all = self.arena.add(all, Type::Set(Box::new(ty.clone())));
-                let variable = self.arena.new_variable("row", ty);
-                let place = self.arena.variable(variable);
-                let number = Kind::Unary(Unary::ToInteger, place);
-                let number = self.arena.add(number, Type::INTEGER);
-                (place, number, Range::Set(all), variable)
-            }
-            _ => {
-                let one = self.arena.integer(1);
-                let variable = self.arena.new_variable("row", Type::INTEGER);
-                let place = self.arena.variable(variable);
-                (place, place, Range::Integers(one, size), variable)
-            }
+        let (variable, place, range) = rewrite::each(self.arena, &rows, size);
+        let number = match self.arena.ty(place).is_element() {
+            true => self
+                .arena
+                .add(Kind::Unary(Unary::ToInteger, place), Type::INTEGER),
+            false => place,
         };
         let row = rewrite::put(
             self.arena,
@@ -60,16 +48,7 @@ impl Product<'_> {
             &HashMap::from([(number_of_row, number)]),
             &mut HashMap::new(),
         );
-        // the element with the number of an element
-        let row = rewrite::upward(
-            self.arena,
-            row,
-            &mut HashMap::new(),
-            &mut |arena, e| match *arena.kind(e) {
-                Kind::Unary(Unary::ToElement, n) if n == number && number != place => place,
-                _ => e,
-            },
-        );
+        let row = rewrite::at_elements(self.arena, row);
         self.row = Some((place, size));
         let body = self.of(row, transposed, times, true);
         self.row = None;
