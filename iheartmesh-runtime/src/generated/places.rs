@@ -6,6 +6,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 use sprs::CsMat;
 
+use super::local_rows::{LocalPlaces, Rows};
 use super::missing::{FIRST_MISSING, NO_ELEMENT, is_missing, missing};
 use super::pattern::Pattern;
 use super::slots::{ArraySlots, Chunk, Heights, Jump, Slots, Whole};
@@ -53,6 +54,10 @@ struct ArrayPlaces {
     /// The branches around the next block.
     branches: Vec<Branch>,
     parts: Vec<Vec<Chunk>>,
+    /// The blocks whose size the mesh decides.
+    locals: LocalPlaces,
+    /// Whether there are more entries than can be counted.
+    too_many: bool,
     /// How many values the current round has, and whether some of its places do not exist.
     values: usize,
     missing: bool,
@@ -64,6 +69,7 @@ struct Branch {
     jump: usize,
     values: usize,
     pieces: usize,
+    locals: usize,
 }
 
 impl Places {
@@ -77,6 +83,8 @@ impl Places {
             jumps_before: 0,
             branches: Vec::new(),
             parts: Vec::new(),
+            locals: LocalPlaces::default(),
+            too_many: false,
             values: 0,
             missing: false,
         };
@@ -147,14 +155,35 @@ impl Places {
         self.arrays[self.array].wholes.push(entries.unzip());
     }
 
-    /// Starts a branch that depends on values.
+    /// Starts a branch that depends on values; one of a block, while one is put together.
     pub fn enter(&mut self) {
-        self.arrays.iter_mut().for_each(ArrayPlaces::enter);
+        match self.arrays.get_mut(self.array) {
+            Some(array) if array.locals.is_open() => array.locals.enter(),
+            _ => self.arrays.iter_mut().for_each(ArrayPlaces::enter),
+        }
     }
 
     /// Ends a branch: notes what is in it.
     pub fn leave(&mut self) {
-        self.arrays.iter_mut().for_each(ArrayPlaces::leave);
+        match self.arrays.get_mut(self.array) {
+            Some(array) if array.locals.is_open() => array.locals.leave(),
+            _ => self.arrays.iter_mut().for_each(ArrayPlaces::leave),
+        }
+    }
+
+    /// Starts a block of the array of [`Places::array`] that is put together from those that follow.
+    pub fn start_local(&mut self) {
+        self.arrays[self.array].locals.start();
+    }
+
+    /// Ends such a block. Its rows are in pieces of at most a height.
+    pub fn end_local(&mut self, height: usize) {
+        self.arrays[self.array].end_local(height, None);
+    }
+
+    /// Ends such a block, of which only the product with so many columns is added.
+    pub fn end_local_product(&mut self, height: usize, columns: usize) {
+        self.arrays[self.array].end_local(height, Some(columns));
     }
 
     /// A block of the array of [`Places::array`], see [`ArrayPlaces::block`].
@@ -191,6 +220,7 @@ impl ArrayPlaces {
             part.push(Chunk {
                 pieces: start..start,
                 jumps: self.jumps_before,
+                locals: self.locals.before,
                 values: 0,
                 missing: false,
             });
@@ -202,6 +232,7 @@ impl ArrayPlaces {
         }
         (self.values, self.missing) = (0, false);
         self.jumps_before = self.jumps.len();
+        self.locals.before = self.locals.all.steps.len();
     }
 
     fn enter(&mut self) {
@@ -209,11 +240,13 @@ impl ArrayPlaces {
             jump: self.jumps.len(),
             values: self.values,
             pieces: self.pieces.len(),
+            locals: self.locals.all.steps.len(),
         });
         self.jumps.push(Jump {
             values: 0,
             pieces: 0,
             jumps: 0,
+            locals: 0,
         });
     }
 
@@ -228,6 +261,8 @@ impl ArrayPlaces {
                 values: u32::try_from(self.values - branch.values).unwrap_or(u32::MAX),
                 pieces: u32::try_from(self.pieces.len() - branch.pieces).unwrap_or(u32::MAX),
                 jumps: u32::try_from(inside).unwrap_or(u32::MAX),
+                locals: u32::try_from(self.locals.all.steps.len() - branch.locals)
+                    .unwrap_or(u32::MAX),
             };
         }
     }
@@ -246,20 +281,37 @@ impl ArrayPlaces {
         height: usize,
         width: usize,
     ) {
-        self.values += N * height * M.max(1) * width;
         let within = |places: &[usize], part: usize, size: usize| {
             let end = |p: &usize| p.checked_add(1).and_then(|p| p.checked_mul(part));
             places.iter().all(|p| end(p).is_some_and(|end| end <= size))
         };
         let layout = self.layout;
+        let is_local = self.locals.is_open();
+        // a block that is only multiplied is square, whatever the array is
+        let most_columns = match is_local {
+            true => layout.rows,
+            false => layout.columns,
+        };
         let is_within = |rows: &[usize], columns: &[usize]| {
-            within(rows, height, layout.rows) && within(columns, width, layout.columns)
+            within(rows, height, layout.rows) && within(columns, width, most_columns)
         };
         let (rows, columns, why) = match places {
             Ok((rows, columns)) if is_within(&rows, &columns) => (rows, columns, None),
             Ok(_) => ([0; N], [0; M], Some(NO_ELEMENT)),
             Err(fault) => ([0; N], [0; M], Some(missing(fault))),
         };
+        if is_local {
+            match why {
+                Some(why) => self.locals.missing(N + M, why),
+                None => {
+                    self.locals.parts(rows.map(|row| row * height), height);
+                    self.locals
+                        .parts(columns.map(|column| column * width), width);
+                }
+            }
+            return;
+        }
+        self.values += N * height * M.max(1) * width;
         self.missing |= why.is_some();
         let columns = match M {
             0 => &[0],
@@ -273,6 +325,29 @@ impl ArrayPlaces {
                     self.pieces.push([row, column, height as u32]);
                 }
             }
+        }
+    }
+
+    /// Ends a block: all its rows in each of its columns, or in each of so many columns of its product.
+    fn end_local(&mut self, height: usize, columns: Option<usize>) {
+        let Some(Rows { rows, runs }) = self.locals.end(height, columns.is_some()) else {
+            return;
+        };
+        let values = rows.len().checked_mul(columns.unwrap_or(rows.len()));
+        let values = values.and_then(|values| values.checked_add(self.values));
+        let Some(values) = values.filter(|n| *n < FIRST_MISSING as usize) else {
+            self.too_many = true;
+            return;
+        };
+        self.values = values;
+        let mut column = |column: u32| {
+            let runs = runs.iter();
+            self.pieces
+                .extend(runs.map(|[row, height]| [*row, column, *height]));
+        };
+        match columns {
+            None => rows.iter().for_each(|row| column(*row)),
+            Some(columns) => (0..columns as u32).for_each(column),
         }
     }
 
@@ -293,6 +368,8 @@ impl ArrayPlaces {
             || self.pieces.len() >= largest
             || self.jumps.len() >= largest
             || values.is_some_and(|n| n >= largest)
+            || self.too_many
+            || self.locals.all.steps.len() >= largest
         {
             return Err(fault);
         }
@@ -409,6 +486,7 @@ impl ArrayPlaces {
             heights,
             wholes,
             jumps: self.jumps,
+            locals: self.locals.all,
             parts: self.parts,
         }
     }

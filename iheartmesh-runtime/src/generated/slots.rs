@@ -7,6 +7,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::array::Array;
 use super::in_order::in_order;
 use super::local_block::LocalBlock;
+use super::local_matrix::LocalMatrix;
+use super::local_rows::LocalRows;
 use super::missing::{element, named};
 use super::pattern::Pattern;
 use super::{Fallible, Fault};
@@ -41,6 +43,8 @@ pub(super) struct ArraySlots {
     pub(super) jumps: Vec<Jump>,
     /// Matrices that are added whole.
     pub(super) wholes: Vec<Whole>,
+    /// The blocks whose size the mesh decides, see [`super::local_rows`].
+    pub(super) locals: LocalRows,
     /// One for each sum: its chunks.
     pub(super) parts: Vec<Vec<Chunk>>,
 }
@@ -68,6 +72,8 @@ pub(super) struct Jump {
     pub(super) pieces: u32,
     /// The branches inside of it.
     pub(super) jumps: u32,
+    /// What is known beforehand of blocks whose size the mesh decides.
+    pub(super) locals: u32,
 }
 
 /// What consecutive rounds of a loop add to an array.
@@ -76,6 +82,8 @@ pub(super) struct Chunk {
     pub(super) pieces: Range<usize>,
     /// Where its branches start.
     pub(super) jumps: usize,
+    /// Where its blocks start whose size the mesh decides.
+    pub(super) locals: usize,
     pub(super) values: usize,
     /// Whether some of its places do not exist.
     pub(super) missing: bool,
@@ -106,12 +114,17 @@ impl Slots {
         let chunk = |array: usize, k: usize| &self.arrays[array].parts[part][k];
         // the values for one array after the other, then the numbers
         let count = |k: usize| (0..N).map(|array| chunk(array, k).values).sum::<usize>() + M;
+        // what blocks are put together in, whose size the mesh decides
+        let beside: usize = self.arrays.iter().map(|array| array.locals.memory).sum();
         let compute = |k: usize, rounds: Range<usize>, room: &mut [f64]| {
-            let mut rest = room;
+            let (mut rest, mut beside) = room.split_at_mut(count(k));
             let mut terms: [Terms<'_>; N] = std::array::from_fn(|array| {
                 let (chunk, slots) = (chunk(array, k), &self.arrays[array]);
                 let (values, after) = std::mem::take(&mut rest).split_at_mut(chunk.values);
                 rest = after;
+                let memory = slots.locals.memory;
+                let (memory, after) = std::mem::take(&mut beside).split_at_mut(memory);
+                beside = after;
                 Terms {
                     values,
                     slots: match chunk.missing {
@@ -121,6 +134,7 @@ impl Slots {
                     next: 0,
                     piece: 0,
                     jumps: slots.jumps.get(chunk.jumps..).unwrap_or_default(),
+                    local: LocalMatrix::new(slots.locals.steps.get(chunk.locals..), memory),
                 }
             });
             let mut sums = [0.0; M];
@@ -150,7 +164,7 @@ impl Slots {
         let done = if chunks.len() < FEW || rayon::current_num_threads() == 1 {
             let mut values = memory.pop().unwrap_or_default();
             let done = (0..chunks.len()).try_for_each(|k| {
-                let values = room(&mut values, count(k));
+                let values = room(&mut values, count(k) + beside);
                 evaluate(k, values)?;
                 scatter(k, values);
                 Ok(())
@@ -161,12 +175,13 @@ impl Slots {
             let groups = chunks.len().div_ceil(GROUP);
             let group = |k: usize| GROUP * k..chunks.len().min(GROUP * (k + 1));
             let compute_group = |k: usize, values: &mut Vec<f64>| {
-                let all = group(k).map(count).sum();
-                let mut rest = room(values, all);
+                let all = group(k).map(count).sum::<usize>();
+                let mut rest = room(values, all + beside);
                 group(k).try_for_each(|k| {
-                    let (first, after) = std::mem::take(&mut rest).split_at_mut(count(k));
-                    rest = after;
-                    evaluate(k, first)
+                    // what is beside one is overwritten by the next
+                    evaluate(k, rest)?;
+                    rest = &mut std::mem::take(&mut rest)[count(k)..];
+                    Ok(())
                 })
             };
             in_order(groups, &mut memory, compute_group, |k, values| {
@@ -273,9 +288,11 @@ pub struct Terms<'a> {
     piece: usize,
     /// The branches to come.
     jumps: &'a [Jump],
+    /// The block that is put together, where its size is known from the mesh.
+    pub(super) local: LocalMatrix<'a>,
 }
 
-impl Terms<'_> {
+impl<'a> Terms<'a> {
     /// A block whose columns are in so many pieces.
     ///
     /// # Errors
@@ -369,6 +386,7 @@ impl Terms<'_> {
                 .jumps
                 .get(1 + jump.jumps as usize..)
                 .unwrap_or_default();
+            self.local.pass(jump.locals as usize);
             self.skip(jump.values as usize, jump.pieces as usize);
         }
     }
@@ -403,10 +421,19 @@ impl Terms<'_> {
                 .iter()
                 .try_for_each(|slot| element(*slot, fault).map(|_| ()))?;
         }
+        Ok(self.next(values, pieces).0)
+    }
+
+    /// The next values, and the block that is put together for them.
+    pub(super) fn next(
+        &mut self,
+        values: usize,
+        pieces: usize,
+    ) -> (&mut [f64], &mut LocalMatrix<'a>) {
         self.piece += pieces;
         let start = self.next;
         self.next += values;
-        Ok(&mut self.values[start..start + values])
+        (&mut self.values[start..start + values], &mut self.local)
     }
 }
 

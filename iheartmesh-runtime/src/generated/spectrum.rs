@@ -25,7 +25,7 @@ impl Part {
 }
 
 /// Matrices with smaller entries are multiplied first.
-const LEAST_NORMAL: f64 = 1e-290;
+pub(super) const LEAST_NORMAL: f64 = 1e-290;
 
 /// Whether a symmetric matrix is positive semi-definite, up to rounding: `A + N ε ‖A‖ I` has a factorisation `L D Lᵀ` with
 /// positive `D`. Not for one with entries that are not finite.
@@ -202,7 +202,7 @@ pub(super) fn replacement<const N: usize>(
 
 /// `2ᵏ`, for `|k|` below 1023.
 #[inline(always)]
-fn power_of_two(k: i64) -> f64 {
+pub(super) fn power_of_two(k: i64) -> f64 {
     f64::from_bits(((k + 1023) as u64) << 52)
 }
 

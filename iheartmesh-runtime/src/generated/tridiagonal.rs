@@ -1,10 +1,10 @@
 //! Symmetric tridiagonal matrices of small fixed sizes: how others become such, and their eigenvalues. Nothing here allocates.
 
 /// Steps of the QL method for one eigenvalue before it is given up; it settles after 2 or 3.
-const MOST_STEPS: usize = 60;
+pub(super) const MOST_STEPS: usize = 60;
 
 /// What is smaller changes no eigenvalue in its last digit, for matrices with entries around 1.
-const NEGLIGIBLE: f64 = f64::EPSILON / 4.0;
+pub(super) const NEGLIGIBLE: f64 = f64::EPSILON / 4.0;
 
 #[inline(always)]
 pub(super) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
@@ -80,7 +80,7 @@ pub(super) fn tridiagonal<const N: usize>(mut a: [[f64; N]; N]) -> Tridiagonal<N
 
 /// How many eigenvalues of a symmetric tridiagonal matrix are below a bound: as many as pivots are negative.
 #[inline(always)]
-pub(super) fn below<const N: usize>(diagonal: &[f64; N], beside: &[f64; N], bound: f64) -> usize {
+pub(super) fn below(diagonal: &[f64], beside: &[f64], bound: f64) -> usize {
     let (mut count, mut pivot, mut square) = (0, 1.0f64, 0.0);
     for (d, e) in diagonal.iter().zip(beside) {
         pivot = d - bound - square / pivot;
@@ -151,12 +151,7 @@ pub(super) fn settle<const N: usize>(
 /// About the lowest eigenvalue of some rows of a symmetric tridiagonal matrix: a few steps of Laguerre's method on its
 /// characteristic polynomial, from below.
 #[inline(always)]
-fn lowest<const N: usize>(
-    diagonal: &[f64; N],
-    beside: &[f64; N],
-    first: usize,
-    last: usize,
-) -> f64 {
+pub(super) fn lowest(diagonal: &[f64], beside: &[f64], first: usize, last: usize) -> f64 {
     // after S. A. Gershgorin
     let mut value = f64::INFINITY;
     let mut before = 0.0;

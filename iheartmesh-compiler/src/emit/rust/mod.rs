@@ -26,6 +26,7 @@ mod set;
 mod setter;
 mod size;
 mod slot_finder;
+mod slot_locals;
 mod slot_sums;
 mod slot_terms;
 mod slot_units;

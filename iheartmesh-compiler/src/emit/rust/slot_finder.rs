@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
-use super::slots::{Branches, Count, Parts, Scale, SlotSum, Step, Term, Unit};
+use super::slots::{Added, Branches, Count, Parts, Scale, SlotSum, Step, Term, Unit};
 use crate::ir::{Binary, ExprId, Fold, GlobalId, Kind, Range, Unary, VariableId, unproven};
 use crate::optimize::{Plan, reachable};
 use crate::types::{Shape, Type};
@@ -19,6 +19,8 @@ pub(super) struct Finder<'a> {
     seen: BTreeSet<ExprId>,
     /// How many choices inside of blocks with replaced eigenvalues were met.
     choices: usize,
+    /// Inside of a block whose number of rows the mesh decides; whether only its product is asked for.
+    local: Option<bool>,
 }
 
 impl<'a> Finder<'a> {
@@ -37,6 +39,7 @@ impl<'a> Finder<'a> {
             array: 0,
             seen: BTreeSet::new(),
             choices: 0,
+            local: None,
         }
     }
 
@@ -116,7 +119,7 @@ impl<'a> Finder<'a> {
 
     /// What is written in two places is computed once, as a matrix; only single blocks are not.
     fn once(&mut self, e: ExprId) -> Option<()> {
-        self.seen.insert(e).then_some(())
+        (self.local.is_some() || self.seen.insert(e)).then_some(())
     }
 
     fn note_tuple(&mut self, e: ExprId) {
@@ -163,7 +166,12 @@ impl<'a> Finder<'a> {
             }
             Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) => {
                 self.once(e)?;
-                let unit = self.unit(e, a, bound, false)?;
+                if self.local.is_some() {
+                    return None;
+                }
+                let Some(unit) = self.unit(e, a, bound, false) else {
+                    return self.local(a, bound, Added::Block);
+                };
                 Some(vec![Step::Block {
                     array: self.array,
                     rows: unit.places.clone(),
@@ -199,6 +207,13 @@ impl<'a> Finder<'a> {
                     }]);
                 }
                 let same = then == otherwise;
+                if self.local.is_some() {
+                    self.sum.local_branches.insert(e, same);
+                    return Some(match same {
+                        true => then,
+                        false => vec![Step::Branch(then), Step::Branch(otherwise)],
+                    });
+                }
                 let branches = Branches {
                     then: self.count(&then),
                     otherwise: self.count(&otherwise),
@@ -234,7 +249,10 @@ impl<'a> Finder<'a> {
                 let is_steady = condition.is_none_or(|c| self.is_steady(c, bound));
                 bound.pop();
                 let mut steps = steps?;
-                if !is_steady {
+                if !is_steady && self.local.is_some() {
+                    self.sum.local_branches.insert(e, false);
+                    steps = vec![Step::Branch(steps)];
+                } else if !is_steady {
                     let then = self.count(&steps);
                     steps = branch(steps, then.is_some());
                     let branches = Branches {
@@ -254,6 +272,9 @@ impl<'a> Finder<'a> {
         for size in sizes {
             self.steady(*size, &[])?;
         }
+        if self.local == Some(true) {
+            return Some(());
+        }
         let known = &mut self.sum.arrays.get_mut(self.array)?.sizes;
         if known.is_empty() {
             *known = sizes.to_vec();
@@ -271,12 +292,21 @@ impl<'a> Finder<'a> {
         let Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) = *self.kind(block) else {
             return None;
         };
-        let Unit { places, height, .. } = self.unit(block, a, bound, true)?;
         let arena = &self.context.program().arena;
         let is_named = matches!(self.kind(factor), Kind::Global(_) | Kind::Input(_));
+        if !is_named || self.local.is_some() {
+            return None;
+        }
         let array = self.array;
+        let Some(Unit { places, height, .. }) = self.unit(block, a, bound, true) else {
+            let added = match (arena.ty(factor).shape()?, &self.sum.arrays[array].sizes[..]) {
+                (Shape::Vector(_), [_]) => Added::Vector,
+                (Shape::Matrix(..), [_, columns]) => Added::Columns(*columns),
+                _ => return None,
+            };
+            return self.local(a, bound, added);
+        };
         match (arena.ty(factor).shape()?, &self.sum.arrays[array].sizes[..]) {
-            _ if !is_named => None,
             (Shape::Vector(_), [_]) => Some(vec![Step::Block {
                 array,
                 rows: places,
@@ -308,7 +338,7 @@ impl<'a> Finder<'a> {
             is_multiplied,
         };
         let before = self.choices;
-        self.local(a, bound, &mut unit)?;
+        self.parts_of(a, bound, &mut unit)?;
         // places are named beside the block, and must be known there: outside of branches
         let is_known = |e: &ExprId| matches!(self.kind(*e), Kind::Column(..) | Kind::Variable(_));
         let branches = self.choices > before;
@@ -319,7 +349,7 @@ impl<'a> Finder<'a> {
         Some(unit)
     }
 
-    fn local(&mut self, e: ExprId, bound: &[VariableId], unit: &mut Unit) -> Option<()> {
+    fn parts_of(&mut self, e: ExprId, bound: &[VariableId], unit: &mut Unit) -> Option<()> {
         match self.kind(e).clone() {
             Kind::Assemble { sizes, blocks } => {
                 if !unit.is_multiplied {
@@ -347,17 +377,28 @@ impl<'a> Finder<'a> {
                 Some(())
             }
             Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => {
-                self.once(e)?;
                 self.choices += usize::from(matches!(self.kind(e), Kind::If(..)));
-                self.local(a, bound, unit)?;
-                self.local(b, bound, unit)
+                self.parts_of(a, bound, unit)?;
+                self.parts_of(b, bound, unit)
             }
-            Kind::Binary(Binary::Multiply, _, a) => {
-                self.once(e)?;
-                self.local(a, bound, unit)
-            }
+            Kind::Binary(Binary::Multiply, _, a) => self.parts_of(a, bound, unit),
             _ => None,
         }
+    }
+
+    /// A block whose eigenvalues are replaced and whose number of rows the mesh decides: around it what all of its parts
+    /// give.
+    fn local(&mut self, a: ExprId, bound: &[VariableId], added: Added) -> Option<Vec<Step>> {
+        self.local = Some(added != Added::Block);
+        let steps = self.steps(a, &mut bound.to_vec());
+        self.local = None;
+        let steps = steps?;
+        Some(vec![Step::Local {
+            array: self.array,
+            height: steps.iter().map(Step::largest_part).max()?.max(1),
+            steps,
+            added,
+        }])
     }
 
     /// The values of some steps in each array; nothing where only the plan knows.
@@ -402,7 +443,7 @@ impl<'a> Finder<'a> {
                     }
                     continue;
                 }
-                Step::Loop { .. } | Step::Branch(_) => return None,
+                Step::Local { .. } | Step::Loop { .. } | Step::Branch(_) => return None,
             };
             all[array].values += pieces * height;
             all[array].pieces += pieces;

@@ -12,7 +12,7 @@ use quote::{format_ident, quote};
 use super::Context;
 use super::block::{Body, Mode};
 use super::place::{Part, RegionId, Roots};
-use super::slots::{Parts, SlotSum, Step, Term, is_in_rounds};
+use super::slots::{Added, Parts, SlotSum, Step, Term, is_in_rounds};
 use crate::ir::{Binary, ExprId, GlobalId, Kind, Range, Unary};
 use crate::optimize::{Plan, reachable};
 
@@ -173,6 +173,12 @@ impl Context<'_> {
                     Placed::Block(step)
                 }
                 Step::Branch(steps) => Placed::Branch(self.placed(steps, region, roots)),
+                Step::Local { steps, added, .. } => {
+                    if let Added::Columns(columns) = added {
+                        roots.need(region, *columns);
+                    }
+                    Placed::Local(step, self.placed(steps, region, roots))
+                }
                 Step::Columns { rows, columns, .. } => {
                     for place in rows {
                         roots.need(region, *place);
@@ -239,13 +245,14 @@ impl Context<'_> {
     /// Whether the condition of a loop depends on values.
     fn slot_sums_know(&self, fold: ExprId) -> bool {
         let mut sums = self.slot_sums.values();
-        sums.any(|sum| sum.branches.contains_key(&fold))
+        sums.any(|sum| sum.branches.contains_key(&fold) || sum.local_branches.contains_key(&fold))
     }
 }
 
 /// A step with its regions.
 enum Placed<'a> {
     Block(&'a Step),
+    Local(&'a Step, Vec<Placed<'a>>),
     Loop {
         fold: ExprId,
         region: usize,
@@ -264,6 +271,10 @@ impl Body<'_> {
         for step in steps {
             code.extend(match step {
                 Placed::Block(step) => self.places_of_block(step),
+                Placed::Local(step, steps) => {
+                    let steps = self.places_of(steps, &nothing);
+                    self.places_of_local(step, &steps)
+                }
                 Placed::Branch(steps) => {
                     let steps = self.places_of(steps, &nothing);
                     quote!(places.enter(); #steps places.leave();)
@@ -392,9 +403,16 @@ impl Body<'_> {
                 let (steps, array) = (self.terms(*a), self.array_number());
                 quote!({ let from = terms[#array].position(); #steps terms[#array].scale(from, -1.0); })
             }
-            Kind::Unary(op, a) => self.symmetric(e, *op, *a, &sum.units[&e]),
+            Kind::Unary(op, a) => match sum.units.get(&e) {
+                Some(unit) => self.symmetric(e, *op, *a, unit),
+                None => self.local(*op, *a, None),
+            },
             Kind::Binary(Binary::Product, block, factor) => {
-                self.symmetric_product(e, *block, *factor, &sum.units[block])
+                match (sum.units.get(block), self.kind(*block)) {
+                    (Some(unit), _) => self.symmetric_product(e, *block, *factor, unit),
+                    (None, Kind::Unary(op, a)) => self.local(*op, *a, Some(*factor)),
+                    _ => panic!("bug in iheartmesh: no block"),
+                }
             }
             Kind::Binary(Binary::Multiply, k, a) => {
                 let k = self.owned(*k);

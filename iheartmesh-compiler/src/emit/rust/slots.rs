@@ -6,8 +6,6 @@
 //!
 //! A sum stays what [`super::assemble`] makes of it, with the entries of a sparse one sorted at every evaluation, where
 //! - its places, loops or the sizes of its blocks depend on values other than sets, elements and integers,
-//! - a loop stands inside of `psd`,
-//! - a block inside of `psd` is in parts of several heights,
 //! - a part of the sum is no block, but a matrix at hand whose pattern may depend on values.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,6 +35,15 @@ pub(super) enum Step {
         columns: ExprId,
         height: usize,
     },
+    /// A block whose eigenvalues are replaced, put together from others: the mesh decides how many rows it has. See
+    /// [`super::slot_locals`].
+    Local {
+        array: usize,
+        steps: Vec<Step>,
+        /// Of the largest parts.
+        height: usize,
+        added: Added,
+    },
     /// A branch that depends on values, with loops inside: the plan says how much is passed over where it is not taken.
     Branch(Vec<Step>),
     /// The loop of a sum.
@@ -47,6 +54,32 @@ pub(super) enum Step {
         then: Vec<Step>,
         otherwise: Vec<Step>,
     },
+}
+
+impl Step {
+    /// The height or width of the largest part of a block.
+    pub(super) fn largest_part(&self) -> usize {
+        let of = |steps: &[Self]| steps.iter().map(Self::largest_part).max().unwrap_or(0);
+        match self {
+            Self::Block { height, width, .. } => *height.max(width),
+            Self::Columns { height, .. } | Self::Local { height, .. } => *height,
+            Self::Branch(steps) | Self::Loop { steps, .. } => of(steps),
+            Self::Choice {
+                then, otherwise, ..
+            } => of(then).max(of(otherwise)),
+        }
+    }
+}
+
+/// What of a block is added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Added {
+    /// The block itself.
+    Block,
+    /// Its product with a vector.
+    Vector,
+    /// Its product with a matrix of so many columns.
+    Columns(ExprId),
 }
 
 /// How many values and pieces of columns some steps have.
@@ -127,8 +160,11 @@ pub(super) struct SlotSum {
     pub(super) inputs: BTreeSet<InputId>,
     /// The choices and loops whose conditions depend on values.
     pub(super) branches: BTreeMap<ExprId, Branches>,
-    /// The blocks whose eigenvalues are replaced.
+    /// The blocks whose eigenvalues are replaced, of fixed sizes. All others are put together by the plan.
     pub(super) units: BTreeMap<ExprId, Unit>,
+    /// The choices and loops inside of the others whose conditions depend on values; of each whether both branches are at the
+    /// same places.
+    pub(super) local_branches: BTreeMap<ExprId, bool>,
 }
 
 impl SlotSum {
