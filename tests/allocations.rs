@@ -36,6 +36,22 @@ iheartmesh! {
         L_ij = { 1/i if i = j
         B = H / 3 - (2 P - L)
     ";
+
+    struct Rings = "
+        ElementSets from MeshConnectivity
+        VertexOneRing from Neighborhoods(M)
+        psd, psd_abs from linearalgebra
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        v ∈ ℝ^(2#V)
+        l(p, q) = { (‖p - q‖² - 1)² if ‖p - q‖² > 1
+                    0 otherwise where p, q ∈ ℝ²
+        S(i) = (∑_(j ∈ VertexOneRing(i)) ‖x_j - x_i‖² - 6)² where i ∈ V
+        T(i) = ∑_(j ∈ VertexOneRing(i)) l(x_i, x_j) where i ∈ V
+        P = 2 ∑_(i ∈ V) psd(∂²S(i)/∂x²) - ∑_(i ∈ V) psd_abs(∂²T(i)/∂x²)
+        q = P v
+    ";
 }
 
 #[test]
@@ -137,5 +153,34 @@ fn products_in_memory_that_is_at_hand() {
         assert_eq!(found.count_total, 0);
         let fresh = Products::new(&mesh, &x, v, z).unwrap();
         assert_eq!((&p, &q, &a), (&fresh.p(), &fresh.q(), &fresh.A()));
+    }
+}
+
+/// Blocks whose size the mesh decides, with eigenvalues that are replaced.
+#[test]
+fn sums_around_vertices() {
+    let (positions, triangles) = generate::torus(8, 7);
+    let mesh = FaceMesh::from_triangles(positions.len(), &triangles).unwrap();
+    let at = |t: f64| -> Vec<DVec2> {
+        let flat = positions.iter().enumerate();
+        flat.map(|(k, p)| DVec2::new(p.x + t * (k as f64).sin(), p.y * t + p.z))
+            .collect()
+    };
+    let maps: Vec<Vec<DVec2>> = [1.0, 0.5, 2.0].map(at).to_vec();
+    let v = DVector::from_fn(2 * maps[0].len(), |k, _| (k as f64).cos());
+    let mut module = Rings::new(&mesh, &maps[0], &v).unwrap();
+    let (mut p, mut q) = (module.P(), module.q());
+    module.set_x(&maps[1]).unwrap();
+    module.P_into(&mut p);
+    module.q_into(&mut q);
+    for x in &maps {
+        let found = measure(|| {
+            module.set_x(x).unwrap();
+            module.q_into(&mut q);
+            module.P_into(&mut p);
+        });
+        assert_eq!(found.count_total, 0);
+        let fresh = Rings::new(&mesh, x, &v).unwrap();
+        assert_eq!((&p, &q), (&fresh.P(), &fresh.q()));
     }
 }

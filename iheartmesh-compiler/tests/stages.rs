@@ -172,6 +172,11 @@ fn derivatives() {
 }
 
 #[test]
+fn projection() {
+    check(&small("projection"));
+}
+
+#[test]
 fn products() {
     check(&small("products"));
 }

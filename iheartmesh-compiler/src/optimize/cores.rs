@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::ir::{Arena, Binary, ExprId, Kind, Program, Unary};
+use crate::ir::{Arena, Binary, ExprId, Fold, Kind, Program, Unary};
 
 /// Drops what is not needed in all of a program.
 pub fn run(program: &mut Program) {
@@ -46,6 +46,10 @@ fn kept(
             let condition = kept(arena, condition, false, memo);
             let (a, b) = (kept(arena, a, asked, memo), kept(arena, b, asked, memo));
             Kind::If(condition, a, b)
+        }
+        Kind::Fold { op, body, .. } if asked && op == Fold::Sum => {
+            let mut of = |operand| kept(arena, operand, operand == body, memo);
+            kind.map_operands(&mut of)
         }
         kind => kind.map_operands(|operand| kept(arena, operand, false, memo)),
     };

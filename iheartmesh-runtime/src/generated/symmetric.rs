@@ -295,12 +295,14 @@ mod tests {
     #[test]
     fn results_are_those_of_nalgebra() {
         let mut next = numbers();
-        for n in (1..30).chain([63, 150]) {
-            for round in 0..8 {
+        for n in (1..14).chain([21, 30, 63, 150]) {
+            let rounds = if n < 40 { 5 } else { 1 };
+            for round in 0..rounds {
                 let any = DMatrix::from_fn(n, n, |_, _| next());
                 let any = &any + any.transpose();
-                for scale in [1.0, 1e-150, 1e150, 1e-300, 1e300] {
-                    check(&(&any * scale));
+                let scales = [1.0, 1e-150, 1e150, 1e-300, 1e300];
+                for scale in &scales[..rounds] {
+                    check(&(&any * *scale));
                 }
                 // repeated, with zeros, of very different sizes, of small rank
                 let kinds: [fn(usize) -> f64; 5] = [
