@@ -117,7 +117,9 @@ impl LocalPlaces {
         let mut runs: Vec<[u32; 2]> = Vec::new();
         for row in &rows {
             match runs.last_mut() {
-                Some([first, count]) if *first + *count == *row && *row as usize % height != 0 => {
+                Some([first, count])
+                    if *first + *count == *row && !(*row as usize).is_multiple_of(height) =>
+                {
                     *count += 1;
                 }
                 _ => runs.push([*row, 1]),

@@ -25,6 +25,7 @@ mod plan;
 mod set;
 mod setter;
 mod size;
+mod slot_blocks;
 mod slot_finder;
 mod slot_locals;
 mod slot_sums;

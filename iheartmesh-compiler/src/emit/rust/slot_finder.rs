@@ -3,24 +3,24 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
-use super::slots::{Added, Branches, Count, Parts, Scale, SlotSum, Step, Term, Unit};
+use super::slots::{Added, Branches, Count, Parts, Scale, SlotSum, Step, Term};
 use crate::ir::{Binary, ExprId, Fold, GlobalId, Kind, Range, Unary, VariableId, unproven};
 use crate::optimize::{Plan, reachable};
-use crate::types::{Shape, Type};
+use crate::types::Type;
 
 pub(super) struct Finder<'a> {
-    context: &'a Context<'a>,
+    pub(super) context: &'a Context<'a>,
     plan: &'a Plan,
     /// Those of earlier definitions.
     others: &'a BTreeMap<GlobalId, SlotSum>,
     pub(super) sum: SlotSum,
     /// The array that blocks are added to.
-    array: usize,
+    pub(super) array: usize,
     seen: BTreeSet<ExprId>,
     /// How many choices inside of blocks with replaced eigenvalues were met.
-    choices: usize,
+    pub(super) choices: usize,
     /// Inside of a block whose number of rows the mesh decides; whether only its product is asked for.
-    local: Option<bool>,
+    pub(super) local: Option<bool>,
 }
 
 impl<'a> Finder<'a> {
@@ -43,7 +43,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn kind(&self, e: ExprId) -> &Kind {
+    pub(super) fn kind(&self, e: ExprId) -> &Kind {
         self.context.program().arena.kind(e)
     }
 
@@ -128,7 +128,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn steps(&mut self, e: ExprId, bound: &mut Vec<VariableId>) -> Option<Vec<Step>> {
+    pub(super) fn steps(&mut self, e: ExprId, bound: &mut Vec<VariableId>) -> Option<Vec<Step>> {
         self.note_tuple(e);
         match self.kind(e).clone() {
             Kind::Tuple(items) => {
@@ -268,7 +268,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn sizes(&mut self, sizes: &[ExprId]) -> Option<()> {
+    pub(super) fn sizes(&mut self, sizes: &[ExprId]) -> Option<()> {
         for size in sizes {
             self.steady(*size, &[])?;
         }
@@ -280,125 +280,6 @@ impl<'a> Finder<'a> {
             *known = sizes.to_vec();
         }
         (known == sizes).then_some(())
-    }
-
-    /// The product of a block whose eigenvalues are replaced, and a vector or a dense matrix that has a name.
-    fn product(
-        &mut self,
-        block: ExprId,
-        factor: ExprId,
-        bound: &[VariableId],
-    ) -> Option<Vec<Step>> {
-        let Kind::Unary(Unary::PositivePart | Unary::AbsolutePart, a) = *self.kind(block) else {
-            return None;
-        };
-        let arena = &self.context.program().arena;
-        let is_named = matches!(self.kind(factor), Kind::Global(_) | Kind::Input(_));
-        if !is_named || self.local.is_some() {
-            return None;
-        }
-        let array = self.array;
-        let Some(Unit { places, height, .. }) = self.unit(block, a, bound, true) else {
-            let added = match (arena.ty(factor).shape()?, &self.sum.arrays[array].sizes[..]) {
-                (Shape::Vector(_), [_]) => Added::Vector,
-                (Shape::Matrix(..), [_, columns]) => Added::Columns(*columns),
-                _ => return None,
-            };
-            return self.local(a, bound, added);
-        };
-        match (arena.ty(factor).shape()?, &self.sum.arrays[array].sizes[..]) {
-            (Shape::Vector(_), [_]) => Some(vec![Step::Block {
-                array,
-                rows: places,
-                columns: Vec::new(),
-                height,
-                width: 1,
-            }]),
-            (Shape::Matrix(..), [_, columns]) => Some(vec![Step::Columns {
-                array,
-                rows: places,
-                columns: *columns,
-                height,
-            }]),
-            _ => None,
-        }
-    }
-
-    /// A block whose eigenvalues are replaced: all its places, each with each.
-    fn unit(
-        &mut self,
-        e: ExprId,
-        a: ExprId,
-        bound: &[VariableId],
-        is_multiplied: bool,
-    ) -> Option<Unit> {
-        let mut unit = Unit {
-            places: Vec::new(),
-            height: 0,
-            is_multiplied,
-        };
-        let before = self.choices;
-        self.parts_of(a, bound, &mut unit)?;
-        // places are named beside the block, and must be known there: outside of branches
-        let is_known = |e: &ExprId| matches!(self.kind(*e), Kind::Column(..) | Kind::Variable(_));
-        let branches = self.choices > before;
-        if unit.places.is_empty() || branches && !unit.places.iter().all(is_known) {
-            return None;
-        }
-        self.sum.units.insert(e, unit.clone());
-        Some(unit)
-    }
-
-    fn parts_of(&mut self, e: ExprId, bound: &[VariableId], unit: &mut Unit) -> Option<()> {
-        match self.kind(e).clone() {
-            Kind::Assemble { sizes, blocks } => {
-                if !unit.is_multiplied {
-                    self.sizes(&sizes)?;
-                }
-                for block in &blocks {
-                    let (rows, columns) = self.context.fixed_shape(block.value)?;
-                    if let Some(core) = block.core {
-                        self.context.fixed_shape(core)?;
-                    }
-                    for (size, places) in [(rows, &block.rows), (columns, &block.columns)] {
-                        let height = parts(size, places.len())?;
-                        if unit.height != 0 && unit.height != height {
-                            return None;
-                        }
-                        unit.height = height;
-                        for place in places {
-                            self.steady(*place, bound)?;
-                            if !unit.places.contains(place) {
-                                unit.places.push(*place);
-                            }
-                        }
-                    }
-                }
-                Some(())
-            }
-            Kind::Binary(Binary::Add, a, b) | Kind::If(_, a, b) => {
-                self.choices += usize::from(matches!(self.kind(e), Kind::If(..)));
-                self.parts_of(a, bound, unit)?;
-                self.parts_of(b, bound, unit)
-            }
-            Kind::Binary(Binary::Multiply, _, a) => self.parts_of(a, bound, unit),
-            _ => None,
-        }
-    }
-
-    /// A block whose eigenvalues are replaced and whose number of rows the mesh decides: around it what all of its parts
-    /// give.
-    fn local(&mut self, a: ExprId, bound: &[VariableId], added: Added) -> Option<Vec<Step>> {
-        self.local = Some(added != Added::Block);
-        let steps = self.steps(a, &mut bound.to_vec());
-        self.local = None;
-        let steps = steps?;
-        Some(vec![Step::Local {
-            array: self.array,
-            height: steps.iter().map(Step::largest_part).max()?.max(1),
-            steps,
-            added,
-        }])
     }
 
     /// The values of some steps in each array; nothing where only the plan knows.
@@ -457,7 +338,7 @@ impl<'a> Finder<'a> {
 
     /// Whether an expression depends only on the mesh, on variables of loops, on sets, elements, integers and sizes;
     /// what of these it depends on is noted.
-    fn steady(&mut self, e: ExprId, bound: &[VariableId]) -> Option<()> {
+    pub(super) fn steady(&mut self, e: ExprId, bound: &[VariableId]) -> Option<()> {
         let program = self.context.program();
         let free = &program.arena.node(e).free;
         if !free.iter().all(|variable| bound.contains(variable)) {
@@ -515,7 +396,7 @@ fn branch(steps: Vec<Step>, is_counted: bool) -> Vec<Step> {
     }
 }
 
-fn parts(size: usize, n: usize) -> Option<usize> {
+pub(super) fn parts(size: usize, n: usize) -> Option<usize> {
     (n > 0 && size > 0 && size.is_multiple_of(n)).then(|| size / n)
 }
 

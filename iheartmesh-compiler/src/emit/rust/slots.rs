@@ -57,17 +57,17 @@ pub(super) enum Step {
 }
 
 impl Step {
-    /// The height or width of the largest part of a block.
-    pub(super) fn largest_part(&self) -> usize {
-        let of = |steps: &[Self]| steps.iter().map(Self::largest_part).max().unwrap_or(0);
-        match self {
+    /// The height or width of the largest part of the blocks in some steps.
+    pub(super) fn largest_of(steps: &[Self]) -> usize {
+        let largest = steps.iter().map(|step| match step {
             Self::Block { height, width, .. } => *height.max(width),
             Self::Columns { height, .. } | Self::Local { height, .. } => *height,
-            Self::Branch(steps) | Self::Loop { steps, .. } => of(steps),
+            Self::Branch(steps) | Self::Loop { steps, .. } => Self::largest_of(steps),
             Self::Choice {
                 then, otherwise, ..
-            } => of(then).max(of(otherwise)),
-        }
+            } => Self::largest_of(then).max(Self::largest_of(otherwise)),
+        });
+        largest.max().unwrap_or(0)
     }
 }
 
