@@ -55,6 +55,10 @@ programs! {
         G = ∂²e/∂x²
         H = ∂²h/∂x²
         R = ∂g/∂x
+        T = JᵀJ
+        U = `K`ᵀ`K`
+        W = 3 PᵀP
+        X = NᵀN - 2 LᵀJ
     "#;
 
     Quadratic, PlainQuadratic = r#"
@@ -172,6 +176,12 @@ for_both! {
             // a row for each edge: the items of its vertices
             assert!(module.J().nnz() <= 4 * mesh.n_edges());
             let j = dense(&module.J());
+            let [k, n_of_x, p] = [module.K(), module.N(), module.P()].map(|a| dense(&a));
+            close(&dense(&module.T()), &(j.transpose() * &j), 1e-12);
+            close(&dense(&module.U()), &(k.transpose() * &k), 1e-12);
+            close(&dense(&module.W()), &(3.0 * p.transpose() * &p), 1e-12);
+            let expected = n_of_x.transpose() * &n_of_x - 2.0 * j.transpose() * &j;
+            close(&dense(&module.X()), &expected, 1e-12);
             let flat = DVector::from_iterator(n, x.iter().flat_map(|x| x.to_array()));
             let products = [
                 (module.u(), &j * flat),

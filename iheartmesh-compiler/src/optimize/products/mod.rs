@@ -8,7 +8,7 @@
 //! H [v₁ … v_k]                     ⟶  ∑_f  the products of a block with all columns
 //! ```
 //!
-//! Matrices that are known by their rows, as derivatives of vectors are, likewise: see [`rows`].
+//! Matrices that are known by their rows, as derivatives of vectors are, likewise: see [`rows`]; and `JᵀJ`: see [`gram`].
 //!
 //! Both sides are equal since products are linear; they round in another order. The loops and conditions stay those of
 //! the matrix, and so do the places, so that what fails for one fails for the other.
@@ -22,6 +22,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 mod blocks;
+mod gram;
 mod rows;
 
 use super::rewrite;
@@ -116,6 +117,17 @@ impl Finder {
         })
     }
 
+    /// What an expression is, by its name or not.
+    fn value(&self, arena: &Arena, e: ExprId) -> ExprId {
+        match arena.kind(e) {
+            Kind::Global(id) => match self.values.get(id.0 as usize) {
+                Some(value) => self.value(arena, *value),
+                None => e,
+            },
+            _ => e,
+        }
+    }
+
     /// Whether some part of a matrix is a sum of blocks.
     fn has_blocks(&self, arena: &Arena, e: ExprId) -> bool {
         match arena.kind(e) {
@@ -192,6 +204,9 @@ fn formed(program: &Program) -> BTreeSet<GlobalId> {
             false => Vec::new(),
         };
         on_the_way.extend(finder.sides(arena, e).map(|sides| sides.matrix));
+        if let Some(gram) = gram::find(&finder, arena, e) {
+            on_the_way.extend([gram.left, gram.right]);
+        }
         arena
             .kind(e)
             .operands(|operand| open.push((operand, on_the_way.contains(&operand))));
@@ -207,14 +222,17 @@ struct Pass {
 
 impl Pass {
     fn rule(&mut self, arena: &mut Arena, e: ExprId) -> Option<ExprId> {
+        if !unproven(arena, e).is_empty() {
+            return None;
+        }
+        if let Some(gram) = gram::find(&self.finder, arena, e) {
+            return gram::sum_of_blocks(arena, e, gram);
+        }
         let Sides {
             matrix,
             factor,
             is_left,
         } = self.finder.sides(arena, e)?;
-        if !unproven(arena, e).is_empty() {
-            return None;
-        }
         let ty = arena.ty(e).clone();
         let length = match (ty.shape()?, is_left) {
             (Shape::Vector(length) | Shape::Matrix(length, _), false)
