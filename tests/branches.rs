@@ -9,8 +9,10 @@ mod twice;
 
 use iheartmesh::FaceMesh;
 use iheartmesh::glam::DVec2;
-use optimized::{Held, Nested};
-use plain::{Held as PlainHeld, Nested as PlainNested};
+use optimized::{Held, Nested, Outside, Ratio};
+use plain::{
+    Held as PlainHeld, Nested as PlainNested, Outside as PlainOutside, Ratio as PlainRatio,
+};
 
 programs! {
     Nested, PlainNested = r#"
@@ -24,6 +26,24 @@ programs! {
               q(a) otherwise
         y = { x_a if b > 1
               2 x_a otherwise
+    "#;
+    Outside, PlainOutside = r#"
+        x_i ∈ ℝ
+        m, n ∈ ℤ
+        t(k) = { ∑_(j = 1)^m x_j if k > n
+                 1 otherwise where k ∈ ℤ
+        z = ∑_(k = 1)^3 t(k)
+    "#;
+    Ratio, PlainRatio = r#"
+        ElementSets from MeshConnectivity
+        Vertices from Neighborhoods(M)
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x_i ∈ ℝ²
+        p = ∑_(v ∈ V) ‖x_v‖²
+        q = ∑_(k ∈ E) ‖x_i - x_j‖ where i, j = Vertices(k)
+        e = p/q
+        g = ∂e/∂x
     "#;
     Held, PlainHeld = r#"
         ElementSets from MeshConnectivity
@@ -130,4 +150,42 @@ fn vertices_that_are_held_are_no_variables() {
             }
         }
     }
+}
+
+#[test]
+fn a_loop_that_fails_in_a_branch_matters_where_it_is_needed() {
+    let x = [1.0, 2.0];
+    for (m, n, expected) in [(2, 3, 3.0), (2, 1, 7.0), (5, 3, 3.0)] {
+        assert_eq!(Outside::new(&x, m, n).unwrap().z(), expected);
+        assert_eq!(PlainOutside::new(&x, m, n).unwrap().z(), expected);
+    }
+    assert!(Outside::new(&x, 5, 2).unwrap().try_z().is_err());
+    assert!(PlainOutside::new(&x, 5, 2).unwrap().try_z().is_err());
+}
+
+#[test]
+fn a_loop_in_a_branch_is_done_once() {
+    let (x, rows) = plane::grid(4);
+    let mesh = FaceMesh::from_triangles(x.len(), &rows).unwrap();
+    let (fast, plain) = (
+        Ratio::new(&mesh, &x).unwrap(),
+        PlainRatio::new(&mesh, &x).unwrap(),
+    );
+    assert!((fast.g() - plain.g()).amax() < 1e-12);
+    // done for each edge again, the sum over the vertices would take minutes
+    let (x, rows) = plane::grid(401);
+    let mesh = FaceMesh::from_triangles(x.len(), &rows).unwrap();
+    let large = Ratio::new(&mesh, &x).unwrap();
+    let (g, last) = (large.g(), x.len() - 1);
+    let moved = |by: f64| {
+        let mut moved = x.clone();
+        moved[last].x += by;
+        Ratio::new(&mesh, moved).unwrap().e()
+    };
+    let slope = (moved(1e-2) - moved(-1e-2)) / 2e-2;
+    assert!(
+        (g[2 * last] - slope).abs() < 1e-4 * slope.abs(),
+        "{} {slope}",
+        g[2 * last]
+    );
 }

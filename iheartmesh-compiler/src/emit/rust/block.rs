@@ -52,6 +52,10 @@ impl<'a> Body<'a> {
             arena,
             roots,
             |e| context.may_fail.own(arena, e) || Self::column_may_fail(plan, arena.kind(e)),
+            |e| match arena.kind(e) {
+                Kind::Call(id, _) => context.program().function(*id).recursive,
+                kind => matches!(kind, Kind::HostCall(..) | Kind::Optimum { .. }),
+            },
             context.staged.optimizations.share,
         );
         Self {

@@ -2,12 +2,14 @@
 //!
 //! A body is a tree of *regions*: the body itself, the inside of each loop, each branch of a choice. An expression
 //! is evaluated in the innermost region that holds all its uses; it is moved out of loops whose variable it does not
-//! depend on, if it cannot fail. Where its uses lie in several branches of which none may be taken, it is *uncertain*: there
-//! it is a value or a failure, and fails where it is used.
+//! depend on, if it cannot fail. What takes long, a loop or an operation with arrays of any size, leaves such loops also where it
+//! may fail or stands in a branch: done in each round it would make the time quadratic. Where an expression that may fail is
+//! evaluated where it may not be needed, it is *uncertain*: there it is a value or a failure, and fails where it is used.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::ir::{Arena, ExprId, Kind, Restriction, VariableId};
+use crate::types::Type;
 
 /// A region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -75,12 +77,14 @@ impl Roots {
 }
 
 impl Placement {
-    /// Places all that the roots need. `may_fail` says which expressions fail by themselves; `hoist` whether
-    /// expressions are moved out of loops.
+    /// Places all that the roots need. `may_fail` says which expressions fail by themselves; `is_guarded` which stay in their
+    /// branch, since they may have no end elsewhere, or may be seen to be evaluated; `hoist` whether expressions are moved out
+    /// of loops.
     pub fn new(
         arena: &Arena,
         roots: &Roots,
         may_fail: impl Fn(ExprId) -> bool,
+        is_guarded: impl Fn(ExprId) -> bool,
         hoist: bool,
     ) -> Self {
         let mut placement = Self {
@@ -99,12 +103,15 @@ impl Placement {
         for (region, e) in &roots.roots {
             placement.use_in(&mut pending, *e, RegionId(*region));
         }
-        let mut fails: BTreeMap<ExprId, bool> = BTreeMap::new();
+        let (mut fails, mut guarded) = (BTreeMap::new(), BTreeMap::new());
         // an operand comes before its uses, so that going backward meets all uses first
         while let Some((e, used)) = pending.pop_last() {
             let mut region = used;
-            let may_fail = deep_may_fail(arena, e, &may_fail, &mut fails);
-            if may_fail && !placement.is_needed_in(e, region) {
+            let may_fail = deep(arena, e, &may_fail, &mut fails);
+            if hoist && takes_long(arena, e) && !deep(arena, e, &is_guarded, &mut guarded) {
+                region = placement.outside_of_loops(arena, e, region);
+            }
+            if may_fail && (region != used || !placement.is_needed_in(e, region)) {
                 placement.uncertain.insert(e);
                 placement.unsure = Some(region);
             }
@@ -303,6 +310,26 @@ impl Placement {
         }
     }
 
+    /// The region around the outermost loop that an expression can leave, branches on the way included.
+    fn outside_of_loops(&self, arena: &Arena, e: ExprId, region: RegionId) -> RegionId {
+        let (mut found, mut at) = (region, region);
+        loop {
+            let Region {
+                parent, variables, ..
+            } = &self.regions[at.0];
+            let Some(parent) = *parent else {
+                return found;
+            };
+            if variables.iter().any(|v| arena.depends_on(e, *v)) {
+                return found;
+            }
+            if !variables.is_empty() {
+                found = parent;
+            }
+            at = parent;
+        }
+    }
+
     fn common(&self, mut a: RegionId, mut b: RegionId) -> RegionId {
         while a != b {
             let (da, db) = (self.regions[a.0].depth, self.regions[b.0].depth);
@@ -421,7 +448,22 @@ impl Placement {
     }
 }
 
-fn deep_may_fail(
+/// Whether an expression is a loop over numbers, or an operation with arrays of any size.
+fn takes_long(arena: &Arena, e: ExprId) -> bool {
+    let is_array = |e: ExprId| matches!(arena.ty(e), Type::Vector { .. } | Type::Matrix { .. });
+    let is_any_size = |e: ExprId| is_array(e) && !arena.ty(e).is_fixed();
+    match arena.kind(e) {
+        Kind::Fold { .. } => is_array(e) || matches!(arena.ty(e), Type::Scalar(_)),
+        Kind::Unary(_, a) => is_any_size(e) || is_any_size(*a),
+        Kind::Binary(_, a, b) => is_any_size(e) || is_any_size(*a) || is_any_size(*b),
+        Kind::Assemble { blocks, .. } => !blocks.is_empty() && is_any_size(e),
+        Kind::Tabulate { .. } | Kind::Scatter { .. } => is_any_size(e),
+        _ => false,
+    }
+}
+
+/// Whether an expression or one inside of it has a property.
+fn deep(
     arena: &Arena,
     e: ExprId,
     own: &impl Fn(ExprId) -> bool,
@@ -433,7 +475,7 @@ fn deep_may_fail(
     let mut any = own(e);
     arena
         .kind(e)
-        .operands(|operand| any = any || deep_may_fail(arena, operand, own, memo));
+        .operands(|operand| any = any || deep(arena, operand, own, memo));
     memo.insert(e, any);
     any
 }
