@@ -248,7 +248,7 @@ fn calls_inside_of_calls_and_stacked_items() {
     assert!((m.dy() - slope(a) * slope(b) * slope(c)).abs() < 1e-12);
     let expected = bend(b) * slope(a).powi(2) + slope(b) * bend(a);
     assert!((m.d2z() - expected).abs() < 1e-12);
-    assert_eq!(m.H(), 2.0 * DMatrix::identity(4, 4));
+    assert_eq!(dense(&m.H()), 2.0 * DMatrix::identity(4, 4));
     let u = dvector![1.0, 2.0, -0.5, 0.25];
     let expected = 8.0 * &u * u.transpose() + DMatrix::identity(4, 4) * (4.0 * u.norm_squared());
     close(&m.G(), &expected);

@@ -34,6 +34,8 @@ programs! {
         B ∈ ℝ^(2×#V)
         B_*,v = ∑_(j ∈ VertexOneRing(v)) ‖x_v - x_j‖² x_j
         C_i = ‖x_i‖² x_i
+        t : F → ℝ²
+        t_f = m(f)
         b = r - 2 w
         c = vec(A)
         d = vec(B)
@@ -49,7 +51,7 @@ programs! {
         v = Jᵀ r
         y = (JᵀJ) v
         e = ½ ‖r‖²
-        h = (r - w)⋅w + ‖A‖² / 3 - tr(BᵀB) + (w ∘ r)ᵀ r - rᵀ diag(w) r / 2
+        h = (r - w)⋅w + ‖A‖² / 3 - tr(BᵀB) + (w ∘ r)ᵀ r - rᵀ diag(w) r / 2 + ‖vec(t)‖² - ‖(vec(C) - 2 vec(x)) / a‖²
         g = ∂e/∂x
         `g'` = ∂h/∂x
         G = ∂²e/∂x²
@@ -59,6 +61,9 @@ programs! {
         U = `K`ᵀ`K`
         W = 3 PᵀP
         X = NᵀN - 2 LᵀJ
+        Y = ∂vec(t)/∂x
+        Z = YᵀY
+        n = vec(t)
     "#;
 
     Quadratic, PlainQuadratic = r#"
@@ -144,8 +149,9 @@ for_both! {
                     f(&Residuals::new(&mesh, moved(&x, k, step), &w, 0.2).unwrap())
                 })
             };
-            let matrices: [(CsMat<f64>, DMatrix<f64>); 9] = [
+            let matrices: [(CsMat<f64>, DMatrix<f64>); 10] = [
                 (module.J(), by(&|m| m.r())),
+                (module.Y(), by(&|m| m.n())),
                 (module.K(), by(&|m| m.s())),
                 (module.L(), by(&|m| m.b())),
                 (module.N(), by(&|m| m.c())),
@@ -177,6 +183,8 @@ for_both! {
             assert!(module.J().nnz() <= 4 * mesh.n_edges());
             let j = dense(&module.J());
             let [k, n_of_x, p] = [module.K(), module.N(), module.P()].map(|a| dense(&a));
+            let y = dense(&module.Y());
+            close(&dense(&module.Z()), &(y.transpose() * &y), 1e-12);
             close(&dense(&module.T()), &(j.transpose() * &j), 1e-12);
             close(&dense(&module.U()), &(k.transpose() * &k), 1e-12);
             close(&dense(&module.W()), &(3.0 * p.transpose() * &p), 1e-12);

@@ -97,30 +97,45 @@ impl<'a> Checker<'a> {
             (Type::Vector { length, .. }, _) => length,
             (Type::Matrix { rows, .. }, 0) => rows,
             (Type::Matrix { columns, .. }, _) => columns,
+            (Type::Sequence { length, .. }, _)
+                if matches!(length.as_atom(), Some(Atom::Count(_))) =>
+            {
+                length
+            }
             _ => return true,
         };
         if *size == Dimension::atom(Atom::Count(element)) {
             return true;
         }
-        let message = format!(
-            "`{}` is {} and indexes {size} entries",
-            index.text,
-            Type::Element(element).described()
-        );
         let kinds = plural(element.kind);
-        self.report(Diagnostic::error(index.span, message).help(format!(
-            "a size that is the number of {kinds} is written `#V` with the set `V` of all of them"
-        )));
+        let (what, help) = match ty {
+            Type::Sequence { .. } => (
+                "items",
+                format!(
+                    "a sequence over the {kinds} is declared `y : V → …` with the set `V` of all of them"
+                ),
+            ),
+            _ => (
+                "entries",
+                format!(
+                    "a size that is the number of {kinds} is written `#V` with the set `V` of all of them"
+                ),
+            ),
+        };
+        let described = Type::Element(element).described();
+        let message = format!("`{}` is {described} and indexes {size} {what}", index.text);
+        self.report(Diagnostic::error(index.span, message).help(help));
         false
     }
 }
 
-/// The elements that a size of a vector or matrix is the number of.
+/// The elements that a size of a vector or matrix, or the length of a sequence, is the number of.
 pub(super) fn counted_through(ty: &Type, axis: usize) -> Option<Element> {
     let size = match (ty, axis) {
         (Type::Vector { length, .. }, 0) => length,
         (Type::Matrix { rows, .. }, 0) => rows,
         (Type::Matrix { columns, .. }, 1) => columns,
+        (Type::Sequence { length, .. }, 0) => length,
         _ => return None,
     };
     match size.as_atom() {

@@ -68,6 +68,15 @@ impl<'a> Checker<'a> {
                 operand,
                 "write `|S|` for the number of members of a set",
             ),
+            (Type::Sequence { item, .. }, true) => {
+                let help = match item.shape() {
+                    Some(_) => {
+                        "write `‖vec(x)‖` for the norm of all entries, `|x|` for the number of items"
+                    }
+                    None => "write `|x|` for the number of items",
+                };
+                self.bars(e, &ty, operand, help)
+            }
             (Type::Element(_), _) => self.bars(e, &ty, operand, NOT_NUMBERS),
             _ => self.bars(
                 e,

@@ -72,6 +72,9 @@ impl Normal<'_> {
         b: ExprId,
         whole: ExprId,
     ) -> Result<ExprId, Trouble> {
+        if let Some(sum) = self.inner_of_stacks(a, b)? {
+            return Ok(sum);
+        }
         let shape = self.program.arena.ty(a).shape();
         let is_fixed = self.algebra().fixed(a).is_some() || self.algebra().fixed(b).is_some();
         let known = [a, b].map(|e| self.is_known_by_entries(e));
@@ -141,6 +144,105 @@ impl Normal<'_> {
             sum = self.program.arena.add(kind, Type::REAL);
         }
         Ok(sum)
+    }
+
+    /// `vec(a) ⋅ vec(b)`, and of sums of such: over the items of sequences, or the entries of matrices.
+    fn inner_of_stacks(&mut self, a: ExprId, b: ExprId) -> Result<Option<ExprId>, Trouble> {
+        let (mut length, mut tabulated) = (None, false);
+        for e in [a, b] {
+            let mut open = vec![e];
+            while let Some(e) = open.pop() {
+                match self.kind(e) {
+                    Kind::Unary(Unary::Stack, inner) => {
+                        tabulated |= match self.kind(inner) {
+                            Kind::Tabulate { .. } => true,
+                            Kind::Input(_) | Kind::Variable(_) => self.is_active(inner),
+                            _ => false,
+                        };
+                        length = length.or(match self.program.arena.ty(inner) {
+                            Type::Sequence { length, .. } => Some((length.clone(), inner)),
+                            _ => None,
+                        });
+                    }
+                    Kind::Binary(Binary::Add | Binary::Subtract, a, b) => open.extend([a, b]),
+                    Kind::Unary(Unary::Negate, a)
+                    | Kind::Binary(Binary::Multiply, _, a)
+                    | Kind::Binary(Binary::Divide, a, _) => open.push(a),
+                    _ => return Ok(None),
+                }
+            }
+        }
+        if !tabulated {
+            return Ok(None);
+        }
+        let Some((length, sequence)) = length else {
+            let of = [self.of_stack(a, None)?, self.of_stack(b, None)?];
+            return match of {
+                [Some(a), Some(b)] => self.inner(a, b).map(Some),
+                _ => Ok(None),
+            };
+        };
+        let size = self.algebra().size(sequence, 0);
+        let (variable, place, range) = rewrite::each(&mut self.program.arena, &length, size);
+        let (Some(a), Some(b)) = (
+            self.of_stack(a, Some(place))?,
+            self.of_stack(b, Some(place))?,
+        ) else {
+            return Ok(None);
+        };
+        let body = self.inner(a, b)?;
+        let kind = Kind::Fold {
+            op: Fold::Sum,
+            variable,
+            range,
+            condition: None,
+            body,
+        };
+        Ok(Some(self.program.arena.add(kind, Type::REAL)))
+    }
+
+    /// What is stacked: a matrix, or the item of a sequence at a place.
+    fn of_stack(&mut self, e: ExprId, place: Option<ExprId>) -> Result<Option<ExprId>, Trouble> {
+        match self.kind(e) {
+            Kind::Unary(Unary::Stack, a) => {
+                let (item, place) = match (self.program.arena.ty(a), place) {
+                    (Type::Sequence { item, .. }, Some(place)) => ((**item).clone(), place),
+                    (ty, None) if ty.shape().is_some() => return Ok(Some(a)),
+                    _ => return Ok(None),
+                };
+                let active = self.is_active(a);
+                let item = self.program.arena.add(Kind::Item(a, place), item);
+                let item = match active {
+                    true => self.rule(item)?,
+                    false => item,
+                };
+                Ok(Some(rewrite::at_elements(&mut self.program.arena, item)))
+            }
+            Kind::Binary(op @ (Binary::Add | Binary::Subtract), a, b) => {
+                let (Some(a), Some(b)) = (self.of_stack(a, place)?, self.of_stack(b, place)?)
+                else {
+                    return Ok(None);
+                };
+                let mut s = self.algebra();
+                Ok(Some(match op {
+                    Binary::Add => s.add(a, b),
+                    _ => s.subtract(a, b),
+                }))
+            }
+            Kind::Unary(Unary::Negate, a) => {
+                let inner = self.of_stack(a, place)?;
+                Ok(inner.map(|inner| self.algebra().negate(inner)))
+            }
+            Kind::Binary(Binary::Multiply, k, a) => {
+                let inner = self.of_stack(a, place)?;
+                Ok(inner.map(|inner| self.algebra().scale(k, inner)))
+            }
+            Kind::Binary(Binary::Divide, a, k) => {
+                let inner = self.of_stack(a, place)?;
+                Ok(inner.map(|inner| self.algebra().divide(inner, k)))
+            }
+            _ => Ok(None),
+        }
     }
 
     /// Whether a value is given entry by entry, or made of such; nothing where an entry is as much work as all of them.
