@@ -156,11 +156,11 @@ fn vertices_that_are_held_are_no_variables() {
 fn a_loop_that_fails_in_a_branch_matters_where_it_is_needed() {
     let x = [1.0, 2.0];
     for (m, n, expected) in [(2, 3, 3.0), (2, 1, 7.0), (5, 3, 3.0)] {
-        assert_eq!(Outside::new(&x, m, n).unwrap().z(), expected);
-        assert_eq!(PlainOutside::new(&x, m, n).unwrap().z(), expected);
+        assert_eq!(Outside::new(x, m, n).unwrap().z(), expected);
+        assert_eq!(PlainOutside::new(x, m, n).unwrap().z(), expected);
     }
-    assert!(Outside::new(&x, 5, 2).unwrap().try_z().is_err());
-    assert!(PlainOutside::new(&x, 5, 2).unwrap().try_z().is_err());
+    assert!(Outside::new(x, 5, 2).unwrap().try_z().is_err());
+    assert!(PlainOutside::new(x, 5, 2).unwrap().try_z().is_err());
 }
 
 #[test]
