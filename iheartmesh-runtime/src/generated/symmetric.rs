@@ -145,15 +145,18 @@ fn tridiagonal(
         v[i - 1] = last - off;
         let p = &mut p[..i];
         p.fill(0.0);
-        for (row, x) in before.chunks_exact(n).zip(&*v) {
-            add_multiple(p, *x, &row[..i]);
+        for (k, row) in before.chunks_exact(n).enumerate() {
+            let x = v[k];
+            p[k] += row[k] * x + dot(&row[..k], &v[..k]);
+            add_multiple(&mut p[..k], x, &row[..k]);
         }
         let half = 0.5 * inverse * dot(v, p);
         for (p, v) in p.iter_mut().zip(&*v) {
             *p = inverse * (*p - half * v);
         }
-        for (row, (x, y)) in before.chunks_exact_mut(n).zip(v.iter().zip(&*p)) {
-            for (entry, (v, p)) in row.iter_mut().zip(v.iter().zip(&*p)) {
+        for (k, row) in before.chunks_exact_mut(n).enumerate() {
+            let (x, y) = (v[k], p[k]);
+            for (entry, (v, p)) in row[..=k].iter_mut().zip(v.iter().zip(&*p)) {
                 *entry -= x * p + y * v;
             }
         }
