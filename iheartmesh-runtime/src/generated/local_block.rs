@@ -2,9 +2,9 @@
 
 use super::Part;
 use super::array::Array;
-use super::spectrum::{
-    has_positive_pivots, is_positive_semidefinite, largest, replaced, replacement,
-};
+use super::lanes::Lanes;
+use super::pending::{FEW, Kind, LANES};
+use super::spectrum::{Replacements, is_positive_semidefinite};
 
 /// A block of `N` rows: `P` parts of a height `H`. `M` is the number of rows without one part.
 #[derive(Clone, Debug)]
@@ -92,38 +92,55 @@ impl<const P: usize, const H: usize, const N: usize, const M: usize> LocalBlock<
     /// of them are 0.
     #[inline(always)]
     pub(super) fn finished(&self, places: [usize; P], part: Part) -> [[f64; N]; N] {
-        let mut a = self.entries;
-        #[expect(
-            clippy::needless_range_loop,
-            reason = "two entries at a time, across the diagonal"
-        )]
-        for i in 0..N {
+        let mut a = [[0.0; N]; N];
+        if let Some(kind) = self.store(places, part, a.as_flattened_mut()) {
+            (kind.replace)(a.as_flattened_mut(), &[0], part);
+        }
+        a
+    }
+
+    /// Writes the entries by columns. What is still to be done to replace the eigenvalues, if there is something.
+    #[inline(always)]
+    pub(super) fn store(
+        &self,
+        places: [usize; P],
+        part: Part,
+        entries: &mut [f64],
+    ) -> Option<Kind> {
+        let a = block_at::<N>(entries, 0)?;
+        for (i, row) in self.entries.iter().enumerate() {
+            a[i][i] = row[i];
             for j in 0..i {
-                let mean = 0.5 * (a[i][j] + a[j][i]);
+                let mean = 0.5 * (row[j] + self.entries[j][i]);
                 a[i][j] = mean;
                 a[j][i] = mean;
             }
         }
         for k in 1..P {
             if places[..k].contains(&places[k]) {
-                a = merged::<P, H, N>(a, places);
+                *a = merged::<P, H, N>(a, places);
                 break;
             }
         }
-        if !self.proven {
-            a = match is_of_differences::<P, H, N>(&a) {
-                true => replaced_in_differences::<P, H, N, M>(&a, part),
-                false => replaced(&a, part),
-            };
+        if self.proven {
+            return None;
         }
-        a
+        if N == 1 {
+            a[0][0] = part.replace(a[0][0]);
+            return None;
+        }
+        Some(Kind {
+            sizes: [P, H],
+            part,
+            replace: replace_eigenvalues::<P, H, N, M>,
+        })
     }
 }
 
 /// Rows and columns of parts at the same place, added to those of the first of them.
 #[cold]
 fn merged<const P: usize, const H: usize, const N: usize>(
-    a: [[f64; N]; N],
+    a: &[[f64; N]; N],
     places: [usize; P],
 ) -> [[f64; N]; N] {
     let first = |k: usize| {
@@ -139,42 +156,129 @@ fn merged<const P: usize, const H: usize, const N: usize>(
     all
 }
 
-/// Whether a symmetric matrix does not change when all parts move together, up to rounding: the parts of each column add up to
-/// 0. Blocks of what depends on differences of items alone are such.
-fn is_of_differences<const P: usize, const H: usize, const N: usize>(a: &[[f64; N]; N]) -> bool {
-    let Some(largest) = largest(a) else {
-        return false;
-    };
-    let small = 16.0 * N as f64 * f64::EPSILON * largest;
-    P > 1
-        && (0..H).all(|i| {
-            let mut sums = [0.0; N];
-            for part in 0..P {
-                for (sum, x) in sums.iter_mut().zip(&a[part * H + i]) {
-                    *sum += x;
-                }
-            }
-            sums.iter().all(|sum| sum.abs() <= small)
-        })
+/// Replaces the eigenvalues of blocks that begin at these places, many together or each by itself.
+fn replace_eigenvalues<const P: usize, const H: usize, const N: usize, const M: usize>(
+    values: &mut [f64],
+    places: &[usize],
+    part: Part,
+) {
+    if places.len() > FEW {
+        return replace_together::<P, H, N, M, LANES>(values, places, part);
+    }
+    for place in places {
+        replace_together::<P, H, N, M, 1>(values, std::slice::from_ref(place), part);
+    }
 }
 
-/// A matrix that does not change when all parts move together, with its eigenvalues replaced: in an orthonormal basis of the
-/// differences, which is smaller. The others are 0.
-fn replaced_in_differences<const P: usize, const H: usize, const N: usize, const M: usize>(
-    a: &[[f64; N]; N],
+/// The same of at most `L` blocks: of those that do not change when all parts move together in an orthonormal basis of the
+/// differences, which is smaller. The other eigenvalues are 0.
+fn replace_together<
+    const P: usize,
+    const H: usize,
+    const N: usize,
+    const M: usize,
+    const L: usize,
+>(
+    values: &mut [f64],
+    places: &[usize],
     part: Part,
-) -> [[f64; N]; N] {
-    let narrow = differences::<P, H, N, M, N>(a);
-    let small = differences::<P, H, N, M, M>(&transposed(&narrow));
-    if has_positive_pivots(small) {
-        return *a;
+) {
+    let mut of_differences = [0; L];
+    let mut others = [0; L];
+    let mut counts = [0; 2];
+    let mut narrow = [[Lanes::<L>::splat(0.0); N]; M];
+    for place in places {
+        let Some(block) = block_at::<N>(values, *place) else {
+            continue;
+        };
+        let (rows, is_of_differences) = differences::<P, H, N, M>(block);
+        let (count, list) = match is_of_differences {
+            true => (&mut counts[0], &mut of_differences),
+            false => (&mut counts[1], &mut others),
+        };
+        let lane = *count;
+        list[lane] = *place;
+        *count += 1;
+        if is_of_differences {
+            for (i, (all, row)) in narrow.iter_mut().zip(&rows).enumerate() {
+                // up to the diagonal
+                let used = (i / H + 2) * H;
+                for (x, entry) in all[..used].iter_mut().zip(row) {
+                    x[lane] = *entry;
+                }
+            }
+        }
     }
-    let Some(change) = replacement(&small, part) else {
-        return [[f64::NAN; N]; N];
-    };
-    let mut all = *a;
-    change.apply(&mut all, parts::<P, H, N, M>);
-    all
+    if counts[0] > 0 {
+        let mut changes = Replacements::<M, L>::new(part);
+        for (i, (to, row)) in changes.rows().iter_mut().zip(&narrow).enumerate() {
+            for j in 0..H {
+                let mut sum = row[j];
+                for k in 1..i / H + 2 {
+                    let x = row[k * H + j];
+                    to[(k - 1) * H + j] = (sum - x * k as f64) * weight(k);
+                    sum += x;
+                }
+            }
+        }
+        let places = &of_differences[..counts[0]];
+        apply::<N, M, L>(changes, values, places, parts::<P, H, N, M, L>);
+    }
+    if counts[1] > 0 {
+        let mut changes = Replacements::<N, L>::new(part);
+        let places = &others[..counts[1]];
+        for (lane, place) in places.iter().enumerate() {
+            if let Some(block) = block_at::<N>(values, *place) {
+                for (to, row) in changes.rows().iter_mut().zip(block) {
+                    for (x, entry) in to.iter_mut().zip(row) {
+                        x[lane] = *entry;
+                    }
+                }
+            }
+        }
+        apply::<N, N, L>(changes, values, places, |vectors| *vectors);
+    }
+}
+
+/// Changes blocks; vectors become longer if those are of a larger space.
+#[inline(always)]
+fn apply<const N: usize, const M: usize, const L: usize>(
+    mut changes: Replacements<M, L>,
+    values: &mut [f64],
+    places: &[usize],
+    wide: impl Fn(&[Lanes<L>; M]) -> [Lanes<L>; N],
+) {
+    let factors = changes.factors();
+    for (factor, place) in factors.0.iter().zip(places) {
+        if *factor != 1.0
+            && let Some(block) = block_at::<N>(values, *place)
+        {
+            for entry in block.as_flattened_mut() {
+                *entry *= factor;
+            }
+        }
+    }
+    changes.for_each_vector(|used, vectors| {
+        let vectors = wide(vectors);
+        for (lane, place) in places.iter().enumerate() {
+            if used[lane]
+                && let Some(block) = block_at::<N>(values, *place)
+            {
+                let vector = vectors.map(|x| x[lane]);
+                for (row, x) in block.iter_mut().zip(&vector) {
+                    for (entry, y) in row.iter_mut().zip(&vector) {
+                        *entry += x * y;
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[inline(always)]
+fn block_at<const N: usize>(values: &mut [f64], place: usize) -> Option<&mut [[f64; N]; N]> {
+    let (columns, _) = values.get_mut(place..)?.as_chunks_mut::<N>();
+    columns.first_chunk_mut::<N>()
 }
 
 /// `1/√(k (k + 1))`: column `k` of the basis, after F. R. Helmert 1876, is this `k` times, then `-k` times it.
@@ -183,47 +287,62 @@ fn weight(k: usize) -> f64 {
     1.0 / ((k * (k + 1)) as f64).sqrt()
 }
 
-/// The rows in the basis of differences.
+/// The rows of a symmetric matrix in the basis of differences, and whether it does not change when all parts move together, up
+/// to rounding: the parts of each column add up to 0. Blocks of what depends on differences of items alone are such.
 #[inline(always)]
-fn differences<const P: usize, const H: usize, const N: usize, const M: usize, const W: usize>(
-    rows: &[[f64; W]; N],
-) -> [[f64; W]; M] {
-    let mut all = [[0.0; W]; M];
+fn differences<const P: usize, const H: usize, const N: usize, const M: usize>(
+    rows: &[[f64; N]; N],
+) -> ([[f64; N]; M], bool) {
+    let mut all = [[0.0; N]; M];
+    let (mut rest, mut size) = ([0.0f64; N], [0.0f64; N]);
     for i in 0..H {
         let mut sum = rows[i];
+        let mut sizes = sum.map(f64::abs);
         for k in 1..P {
             let weight = weight(k);
             let row = &rows[k * H + i];
-            for ((entry, sum), x) in all[(k - 1) * H + i].iter_mut().zip(&mut sum).zip(row) {
-                *entry = weight * (*sum - k as f64 * x);
-                *sum += x;
+            let to = &mut all[(k - 1) * H + i];
+            for (j, x) in row.iter().enumerate() {
+                to[j] = weight * (sum[j] - k as f64 * x);
+                sum[j] += x;
+                sizes[j] += x.abs();
             }
         }
+        for j in 0..N {
+            // NaN stays
+            let more = sum[j].abs() <= rest[j];
+            rest[j] = if more { rest[j] } else { sum[j].abs() };
+            size[j] = if sizes[j] > size[j] {
+                sizes[j]
+            } else {
+                size[j]
+            };
+        }
     }
-    all
+    let size = size
+        .iter()
+        .fold(0.0, |most, x| if *x > most { *x } else { most });
+    let small = 16.0 * N as f64 * f64::EPSILON * size;
+    let is_of_differences = P > 1 && rest.iter().all(|rest| *rest <= small);
+    (all, is_of_differences)
 }
 
-/// A vector in the basis of differences as one of the parts.
+/// Vectors in the basis of differences as some of the parts.
 #[inline(always)]
-fn parts<const P: usize, const H: usize, const N: usize, const M: usize>(
-    vector: &[f64; M],
-) -> [f64; N] {
-    let mut all = [0.0; N];
+fn parts<const P: usize, const H: usize, const N: usize, const M: usize, const L: usize>(
+    vectors: &[Lanes<L>; M],
+) -> [Lanes<L>; N] {
+    let mut all = [Lanes::splat(0.0); N];
     for i in 0..H {
-        let mut sum = 0.0;
+        let mut sum = Lanes::splat(0.0);
         for k in (1..P).rev() {
-            let x = weight(k) * vector[(k - 1) * H + i];
-            all[k * H + i] = sum - k as f64 * x;
+            let x = vectors[(k - 1) * H + i] * weight(k);
+            all[k * H + i] = sum - x * k as f64;
             sum += x;
         }
         all[i] = sum;
     }
     all
-}
-
-#[inline(always)]
-fn transposed<const R: usize, const C: usize>(a: &[[f64; C]; R]) -> [[f64; R]; C] {
-    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
 #[cfg(test)]
@@ -283,6 +402,54 @@ mod tests {
             check::<P, H, N, M>(&matrix, places);
             check::<P, H, N, M>(&(any + any.transpose()), places);
         }
+    }
+
+    /// Blocks that wait together, of differences or not, have the same bits as each by itself.
+    fn check_together<const P: usize, const H: usize, const N: usize, const M: usize>() {
+        let mut state = 2463534242u64;
+        let mut next = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        for round in 0..60 {
+            let count = round % LANES + 1;
+            let mut values = vec![0.0; count * N * N];
+            for block in values.chunks_exact_mut(N * N) {
+                let mut x = SMatrix::<f64, N, N>::from_fn(|_, _| next());
+                if next() > -0.5 {
+                    // what the parts have in common is taken away
+                    let join = SMatrix::<f64, N, N>::from_fn(|i, j| {
+                        f64::from(i == j) - f64::from(i % H == j % H) / P as f64
+                    });
+                    x = join * (x + x.transpose()) * join;
+                }
+                let scale = if next() > 0.9 { f64::NAN } else { next() };
+                block.copy_from_slice(((x + x.transpose()) * scale).as_slice());
+            }
+            let part = [Part::Positive, Part::Absolute][round % 2];
+            let places: Vec<usize> = (0..count).map(|k| k * N * N).collect();
+            let mut alone = values.clone();
+            for place in &places {
+                replace_eigenvalues::<P, H, N, M>(&mut alone, &[*place], part);
+            }
+            let mut reversed = values.clone();
+            let backwards: Vec<usize> = places.iter().rev().copied().collect();
+            replace_eigenvalues::<P, H, N, M>(&mut reversed, &backwards, part);
+            replace_eigenvalues::<P, H, N, M>(&mut values, &places, part);
+            let bits = |values: &[f64]| values.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&values), bits(&alone));
+            assert_eq!(bits(&values), bits(&reversed));
+        }
+    }
+
+    #[test]
+    fn blocks_that_wait_together() {
+        check_together::<1, 3, 3, 0>();
+        check_together::<2, 1, 2, 1>();
+        check_together::<3, 2, 6, 4>();
+        check_together::<4, 3, 12, 9>();
     }
 
     #[test]

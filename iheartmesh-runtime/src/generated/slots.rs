@@ -11,6 +11,7 @@ use super::local_matrix::LocalMatrix;
 use super::local_rows::LocalRows;
 use super::missing::{element, named};
 use super::pattern::Pattern;
+use super::pending::Pending;
 use super::{Fallible, Fault};
 use crate::element::ElementKind;
 
@@ -135,10 +136,12 @@ impl Slots {
                     piece: 0,
                     jumps: slots.jumps.get(chunk.jumps..).unwrap_or_default(),
                     local: LocalMatrix::new(slots.locals.steps.get(chunk.locals..), memory),
+                    pending: Pending::default(),
                 }
             });
             let mut sums = [0.0; M];
             values(rounds, &mut terms, &mut sums)?;
+            terms.iter_mut().for_each(Terms::finish);
             rest.copy_from_slice(&sums);
             Ok(())
         };
@@ -290,6 +293,8 @@ pub struct Terms<'a> {
     jumps: &'a [Jump],
     /// The block that is put together, where its size is known from the mesh.
     pub(super) local: LocalMatrix<'a>,
+    /// Blocks among the values whose eigenvalues are to be replaced.
+    pending: Pending,
 }
 
 impl<'a> Terms<'a> {
@@ -326,10 +331,10 @@ impl<'a> Terms<'a> {
         part: super::Part,
         fault: Fault,
     ) -> Fallible<()> {
+        let place = self.next;
         let entries = self.room(N * N, P * N, fault)?;
-        let block = block.finished(places, part);
-        for (column, values) in entries.chunks_exact_mut(N.max(1)).zip(&block) {
-            column.copy_from_slice(values);
+        if let Some(kind) = block.store(places, part, entries) {
+            self.pending.push(self.values, place, kind);
         }
         Ok(())
     }
@@ -400,6 +405,7 @@ impl<'a> Terms<'a> {
     /// Multiplies all values from a position on.
     #[inline(always)]
     pub fn scale(&mut self, from: usize, factor: f64) {
+        self.finish();
         for value in &mut self.values[from..self.next] {
             *value *= factor;
         }
@@ -408,9 +414,16 @@ impl<'a> Terms<'a> {
     /// Divides all values from a position on.
     #[inline(always)]
     pub fn divide(&mut self, from: usize, divisor: f64) {
+        self.finish();
         for value in &mut self.values[from..self.next] {
             *value /= divisor;
         }
+    }
+
+    /// Replaces the eigenvalues of blocks that wait for others.
+    #[inline(always)]
+    fn finish(&mut self) {
+        self.pending.flush(self.values);
     }
 
     #[inline(always)]

@@ -2,7 +2,8 @@
 //! Nothing here allocates.
 
 use super::array::Array;
-use super::tridiagonal::{Tridiagonal, below, dot, settle, tridiagonal};
+use super::lanes::Lanes;
+use super::tridiagonal::{Rotations, Tridiagonal};
 
 /// What replaces the eigenvalues of a symmetric matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,158 +70,135 @@ pub(super) fn has_positive_pivots<const N: usize>(mut a: [[f64; N]; N]) -> bool 
     true
 }
 
-/// A symmetric matrix with its eigenvalues replaced, exactly symmetric as well. One that is positive semi-definite stays as it
-/// is; where an entry is not finite, all become NaN.
-pub fn replaced<const N: usize>(a: &[[f64; N]; N], part: Part) -> [[f64; N]; N] {
-    if N == 1 {
-        return a.map(|row| row.map(|entry| part.replace(entry)));
-    }
-    if has_positive_pivots(*a) {
-        return *a;
-    }
-    let Some(change) = replacement(a, part) else {
-        return [[f64::NAN; N]; N];
-    };
-    let mut all = *a;
-    change.apply(&mut all, |vector| *vector);
-    all
-}
-
-/// How a symmetric matrix becomes the one with its eigenvalues replaced: a multiple of it, and `v vᵀ` of some orthogonal
-/// vectors `v`. Eigenvectors are needed of one sign only, of that with fewer eigenvalues.
-pub(super) struct Replacement<const N: usize> {
-    factor: f64,
-    vectors: [[f64; N]; N],
-    count: usize,
-}
-
-impl<const N: usize> Replacement<N> {
-    /// Changes a matrix; the vectors are brought into its basis, which may be of a larger space.
-    #[inline(always)]
-    pub(super) fn apply<const W: usize>(
-        &self,
-        matrix: &mut [[f64; W]; W],
-        wide: impl Fn(&[f64; N]) -> [f64; W],
-    ) {
-        if self.factor != 1.0 {
-            for entry in matrix.iter_mut().flatten() {
-                *entry *= self.factor;
-            }
-        }
-        for vector in self.vectors.iter().take(self.count) {
-            let vector = wide(vector);
-            for (row, x) in matrix.iter_mut().zip(&vector) {
-                for (entry, y) in row.iter_mut().zip(&vector) {
-                    *entry += x * y;
-                }
-            }
-        }
-    }
-}
-
-/// What replaces eigenvalues of a symmetric matrix; nothing where an entry is not finite.
-///
-/// After Householder's reduction to a tridiagonal matrix, whose negative eigenvalues are counted by its pivots, the implicit QL
-/// method runs until as many are found, on the negated matrix if that has fewer. It finds small ones first: the first shift
-/// for each is the least eigenvalue. (J. H. Wilkinson and C. Reinsch, Handbook for Automatic Computation II, 1971.)
-pub(super) fn replacement<const N: usize>(
-    matrix: &[[f64; N]; N],
+/// How symmetric matrices become those with their eigenvalues replaced: multiples of them, and `v vᵀ` of some orthogonal
+/// vectors `v`. Eigenvectors are needed of one sign only, of that with fewer eigenvalues. No matrix has an effect on those
+/// beside it.
+pub(super) struct Replacements<const N: usize, const L: usize> {
+    tridiagonal: Tridiagonal<N, L>,
+    /// The square roots of what the matrices were divided by.
+    units: Lanes<L>,
+    /// How many eigenvalues are replaced.
+    wanted: Lanes<L>,
     part: Part,
-) -> Option<Replacement<N>> {
-    let mut change = Replacement {
-        factor: 1.0,
-        vectors: [[0.0; N]; N],
-        count: 0,
-    };
-    let largest = largest(matrix)?;
-    if largest == 0.0 {
-        return Some(change);
-    }
-    if largest < LEAST_NORMAL {
-        let larger = matrix.map(|row| row.map(|x| x * power_of_two(400)));
-        let mut change = replacement(&larger, part)?;
-        for x in change.vectors.iter_mut().flatten() {
-            *x *= power_of_two(-200);
-        }
-        return Some(change);
-    }
-    // entries around 1, so that no square of one is too large or too small
-    let exponent = ((largest.to_bits() >> 52) as i64 - 1023) >> 1;
-    let scale = power_of_two(-exponent);
-    let Tridiagonal {
-        mut diagonal,
-        mut beside,
-        reflections,
-        inverses,
-    } = tridiagonal(matrix.map(|row| row.map(|x| x * scale * scale)));
+}
 
-    // what lies between may be 0
-    let bound = 4.0 * N as f64 * f64::EPSILON;
-    let mut wanted = below(&diagonal, &beside, -bound);
-    let positive = N - below(&diagonal, &beside, bound);
-    if positive < wanted {
-        wanted = positive;
-        change.factor = match part {
+impl<const N: usize, const L: usize> Replacements<N, L> {
+    /// For matrices of zeros.
+    #[inline(always)]
+    pub(super) fn new(part: Part) -> Self {
+        Self {
+            tridiagonal: Tridiagonal::new(),
+            units: Lanes::splat(1.0),
+            wanted: Lanes::splat(0.0),
+            part,
+        }
+    }
+
+    /// The rows of the matrices, of which the lower triangles are used.
+    #[inline(always)]
+    pub(super) fn rows(&mut self) -> &mut [[Lanes<L>; N]; N] {
+        &mut self.tridiagonal.rows
+    }
+
+    /// What the matrices are multiplied by: NaN where an entry is not finite.
+    ///
+    /// After Householder's reduction to a tridiagonal matrix its negative eigenvalues are counted by its pivots.
+    #[inline(always)]
+    pub(super) fn factors(&mut self) -> Lanes<L> {
+        let (zero, one) = (Lanes::splat(0.0), Lanes::splat(1.0));
+        let Self {
+            tridiagonal, units, ..
+        } = self;
+        let (mut largest, mut zeros) = (zero, zero);
+        for (i, row) in tridiagonal.rows.iter().enumerate() {
+            for x in &row[..=i] {
+                largest = x.abs().max(largest);
+                // NaN from what is not finite
+                zeros += *x * 0.0;
+            }
+        }
+        let mut scales = one;
+        let mut failed = zero;
+        for lane in 0..L {
+            if zeros[lane] != 0.0 {
+                failed[lane] = f64::NAN;
+                scales[lane] = 0.0;
+            } else if largest[lane] > 0.0 {
+                // entries around 1, so that no square of one is too large or too small
+                let more = if largest[lane] < LEAST_NORMAL { 200 } else { 0 };
+                let larger = largest[lane] * power_of_two(2 * more);
+                let exponent = (((larger.to_bits() >> 52) as i64 - 1023) >> 1) - more;
+                scales[lane] = power_of_two(-exponent);
+                units[lane] = power_of_two(exponent);
+            }
+        }
+        let finite = one.greater(failed);
+        for (i, row) in tridiagonal.rows.iter_mut().enumerate() {
+            for x in &mut row[..=i] {
+                *x = Lanes::select(finite, *x * scales * scales, zero) + zero;
+            }
+        }
+        tridiagonal.reduce();
+        let negative = tridiagonal.below(-bound::<N>());
+        let positive = Lanes::splat(N as f64) - tridiagonal.below(bound::<N>());
+        let negated = negative.greater(positive);
+        tridiagonal.scale(Lanes::select(negated, -one, one));
+        self.wanted = negative.min(positive);
+        let factor = match self.part {
             Part::Positive => 0.0,
             Part::Absolute => -1.0,
         };
-        for x in diagonal.iter_mut().chain(&mut beside) {
-            *x = -*x;
-        }
+        Lanes::select(negated, Lanes::splat(factor), one) + failed
     }
-    let times = match part {
-        Part::Positive => 1.0,
-        Part::Absolute => 2.0,
-    };
-    let mut vectors = [[0.0; N]; N];
-    for (k, row) in vectors.iter_mut().enumerate() {
-        row[k] = 1.0;
-    }
-    let mut found = 0;
-    for first in 0..N {
-        if found >= wanted {
-            break;
-        }
-        settle(&mut diagonal, &mut beside, &mut vectors, first);
-        let value = diagonal[first];
-        if value < 0.0 {
-            found += usize::from(value < -bound);
-            let mut vector = vectors[first];
-            for (reflection, inverse) in reflections.iter().zip(&inverses) {
-                let part = inverse * dot(reflection, &vector);
-                for (x, y) in vector.iter_mut().zip(reflection) {
-                    *x -= part * y;
-                }
+
+    /// Then hands over vectors: one for each of some matrices, as often as needed.
+    ///
+    /// The implicit QL method runs until as many eigenvalues are found as are to be replaced, on the negated matrix if that has
+    /// fewer negative ones. It finds small ones first: the first shift for each is the least eigenvalue. (J. H. Wilkinson and
+    /// C. Reinsch, Handbook for Automatic Computation II, 1971.)
+    #[inline(always)]
+    pub(super) fn for_each_vector(
+        &mut self,
+        mut use_vectors: impl FnMut(&[bool; L], &[Lanes<L>; N]),
+    ) {
+        let zero = Lanes::splat(0.0);
+        let times = match self.part {
+            Part::Positive => 1.0,
+            Part::Absolute => 2.0,
+        };
+        let mut rotations = Rotations::new();
+        for first in 0..N {
+            if self.wanted.most() <= 0.0 {
+                break;
             }
-            let length = (-times * value).sqrt() * power_of_two(exponent);
-            change.vectors[change.count] = vector.map(|x| length * x);
-            change.count += 1;
+            let unfinished = self.wanted.greater(zero);
+            self.tridiagonal.settle(&mut rotations, first, unfinished);
+            let values = self.tridiagonal.diagonal[first];
+            let negative = zero.greater(values);
+            let used: [bool; L] = std::array::from_fn(|lane| unfinished[lane] && negative[lane]);
+            if !used.contains(&true) {
+                continue;
+            }
+            let counts = Lanes::splat(-bound::<N>()).greater(values);
+            self.wanted -= Lanes::select(counts, Lanes::splat(1.0), zero);
+            let lengths = Lanes::select(used, -values * times, zero).sqrt() * self.units;
+            let vectors = self.tridiagonal.vectors(&rotations, first);
+            // no -0, which rotations by nothing leave or not
+            use_vectors(&used, &vectors.map(|x| lengths * x + zero));
         }
     }
-    Some(change)
+}
+
+/// What lies between the negative of this and this may be 0, for matrices with entries around 1.
+#[inline(always)]
+fn bound<const N: usize>() -> f64 {
+    4.0 * N as f64 * f64::EPSILON
 }
 
 /// `2ᵏ`, for `|k|` below 1023.
 #[inline(always)]
 pub(super) fn power_of_two(k: i64) -> f64 {
     f64::from_bits(((k + 1023) as u64) << 52)
-}
-
-/// The largest absolute value; nothing where an entry is not finite.
-#[inline(always)]
-pub(super) fn largest<const N: usize>(matrix: &[[f64; N]; N]) -> Option<f64> {
-    // by columns, which are next to each other
-    let (mut most, mut zeros) = ([0.0f64; N], [0.0; N]);
-    for row in matrix {
-        for ((most, zero), x) in most.iter_mut().zip(&mut zeros).zip(row) {
-            let x = x.abs();
-            *most = if x > *most { x } else { *most };
-            // NaN from what is not finite
-            *zero += x * 0.0;
-        }
-    }
-    let largest = most.iter().fold(0.0f64, |most, x| most.max(*x));
-    zeros.iter().all(|x| *x == 0.0).then_some(largest)
 }
 
 #[cfg(test)]
@@ -261,6 +239,39 @@ mod tests {
         std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (a[(i, j)] + a[(j, i)])))
     }
 
+    /// What becomes of matrices side by side: factors, and vectors.
+    type Changes<const N: usize> = Vec<(f64, Vec<[f64; N]>)>;
+
+    fn changes<const N: usize, const L: usize>(a: &[[[f64; N]; N]; L], part: Part) -> Changes<N> {
+        let mut changes = Replacements::<N, L>::new(part);
+        for (i, row) in changes.rows().iter_mut().enumerate() {
+            for (j, x) in row.iter_mut().enumerate() {
+                *x = Lanes(std::array::from_fn(|lane| a[lane][i][j]));
+            }
+        }
+        let factors = changes.factors();
+        let mut found: Changes<N> = factors.0.map(|factor| (factor, Vec::new())).into();
+        changes.for_each_vector(|used, vectors| {
+            for lane in (0..L).filter(|lane| used[*lane]) {
+                found[lane].1.push(vectors.map(|x| x[lane]));
+            }
+        });
+        found
+    }
+
+    fn replaced<const N: usize>(a: &[[f64; N]; N], part: Part) -> [[f64; N]; N] {
+        let (factor, vectors) = changes(&[*a], part).remove(0);
+        let mut all = a.map(|row| row.map(|x| factor * x));
+        for v in vectors {
+            for (i, row) in all.iter_mut().enumerate() {
+                for (j, entry) in row.iter_mut().enumerate() {
+                    *entry += v[i] * v[j];
+                }
+            }
+        }
+        all
+    }
+
     /// The vectors are orthogonal, and their squares the eigenvalues of one sign.
     #[track_caller]
     fn check_replacement<const N: usize>(
@@ -269,23 +280,25 @@ mod tests {
         eigenvalues: &[f64],
         scale: f64,
     ) {
-        let change = replacement(a, part).unwrap();
+        let (factor, vectors) = changes(&[*a], part).remove(0);
         let tolerance = 16.0 * N as f64 * f64::EPSILON;
         let times = if part == Part::Absolute { 2.0 } else { 1.0 };
-        let sign = if change.factor == 1.0 { -1.0 } else { 1.0 };
+        let sign = if factor == 1.0 { -1.0 } else { 1.0 };
         let mut known: Vec<f64> = eigenvalues.iter().map(|x| (sign * x).max(0.0)).collect();
         known.sort_by(|x, y| y.total_cmp(x));
         let unit = (times * scale.clamp(f64::MIN_POSITIVE, f64::MAX / 4.0)).sqrt();
-        let vectors = change.vectors.map(|vector| vector.map(|x| x / unit));
-        let mut found = [0.0; N];
-        for i in 0..N {
-            assert!(i < change.count || vectors[i] == [0.0; N]);
-            found[i] = dot(&vectors[i], &vectors[i]);
+        let vectors: Vec<_> = vectors
+            .iter()
+            .map(|v| nalgebra::SVector::from(*v) / unit)
+            .collect();
+        let mut found: Vec<f64> = vectors.iter().map(|v| v.dot(v)).collect();
+        for i in 0..vectors.len() {
             for j in 0..i {
                 let lengths = (found[i] * found[j]).sqrt();
-                assert!(dot(&vectors[i], &vectors[j]).abs() <= tolerance * lengths);
+                assert!(vectors[i].dot(&vectors[j]).abs() <= tolerance * lengths);
             }
         }
+        found.resize(N, 0.0);
         found.sort_by(|x, y| y.total_cmp(x));
         for (x, y) in found.iter().zip(&known) {
             assert!((x - y).abs() <= tolerance, "{x} {y}");
@@ -361,6 +374,73 @@ mod tests {
         check_size::<12>();
     }
 
+    /// Matrices of all kinds: a lane has much or little to do, waits for others, or nothing.
+    fn any<const N: usize>(kind: usize, next: &mut impl FnMut() -> f64) -> [[f64; N]; N] {
+        let a = symmetric::<N>(next);
+        match kind {
+            0 => a,
+            1 => [[0.0; N]; N],
+            2 => a.map(|row| row.map(|x| x * 1e-300)),
+            3 => a.map(|row| row.map(|x| x * 1e300)),
+            4 => [[f64::INFINITY; N]; N],
+            5 => with_values(std::array::from_fn(|k| (k % 2) as f64 - 0.5), next),
+            // definite, of either sign
+            6 => with_values([1.0; N], next),
+            7 => with_values([-1.0; N], next),
+            // falls apart in several places, also with -0
+            8 => std::array::from_fn(|i| {
+                std::array::from_fn(|j| if i / 2 == j / 2 { a[i][j] } else { -0.0 })
+            }),
+            9 => std::array::from_fn(|i| {
+                std::array::from_fn(|j| if i.abs_diff(j) < 2 { a[i][j] } else { 0.0 })
+            }),
+            10 => std::array::from_fn(|i| {
+                std::array::from_fn(|j| if i == j { a[i][j] - 0.5 } else { -0.0 })
+            }),
+            // of small rank
+            _ => std::array::from_fn(|i| {
+                std::array::from_fn(|j| a[0][i] * a[0][j] - a[0][N - 1 - i] * a[0][N - 1 - j])
+            }),
+        }
+    }
+
+    fn bits<const N: usize>((factor, vectors): &(f64, Vec<[f64; N]>)) -> Vec<u64> {
+        let vectors = vectors.iter().flatten();
+        let all = std::iter::once(factor).chain(vectors);
+        all.map(|x| x.to_bits()).collect()
+    }
+
+    fn check_lanes<const N: usize, const L: usize>() {
+        let mut next = numbers();
+        for round in 0..200 {
+            let part = if round % 2 == 0 {
+                Part::Positive
+            } else {
+                Part::Absolute
+            };
+            let all: [[[f64; N]; N]; L] = std::array::from_fn(|_| {
+                let kind = (next().abs() * 12.0) as usize;
+                any(kind, &mut next)
+            });
+            let found = changes(&all, part);
+            for (a, found) in all.iter().zip(&found) {
+                assert_eq!(bits(found), bits(&changes(&[*a], part)[0]));
+            }
+        }
+    }
+
+    #[test]
+    fn results_do_not_depend_on_what_is_beside() {
+        check_lanes::<1, 8>();
+        check_lanes::<2, 8>();
+        check_lanes::<3, 2>();
+        check_lanes::<4, 8>();
+        check_lanes::<6, 3>();
+        check_lanes::<9, 4>();
+        check_lanes::<9, 8>();
+        check_lanes::<12, 8>();
+    }
+
     #[test]
     fn numbers_that_are_not_finite_end() {
         for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -368,9 +448,12 @@ mod tests {
                 let mut a = [[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
                 a[at][0] = x;
                 a[0][at] = x;
-                assert!(replacement(&a, Part::Absolute).is_none());
-                let found = replaced(&a, Part::Positive);
-                assert!(found.iter().flatten().all(|entry| entry.is_nan()));
+                // those beside it stay what they are
+                let beside = [[0.0, 3.0, 0.0], [3.0, 0.0, 0.0], [0.0, 0.0, -2.0]];
+                let found = changes(&[beside, a, beside], Part::Positive);
+                assert!(found[1].0.is_nan() && found[1].1.is_empty());
+                assert_eq!(found[0], found[2]);
+                assert_eq!(found[0], changes(&[beside], Part::Positive)[0]);
                 assert!(!is_positive_semidefinite::<3>(&nalgebra::Matrix3::from(a)));
             }
         }

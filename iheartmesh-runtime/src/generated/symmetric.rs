@@ -3,6 +3,7 @@
 //!
 //! A matrix of `n` rows is a slice of `n²` entries, row by row.
 
+use super::lanes::Lanes;
 use super::spectrum::{LEAST_NORMAL, Part, power_of_two};
 use super::tridiagonal::{MOST_STEPS, NEGLIGIBLE, below, lowest};
 
@@ -41,8 +42,12 @@ pub(super) fn replace(a: &mut [f64], n: usize, part: Part, work: &mut [f64]) {
 
     // what lies between may be 0
     let bound = 4.0 * n as f64 * f64::EPSILON;
-    let mut wanted = below(diagonal, beside, -bound);
-    let positive = n - below(diagonal, beside, bound);
+    let count = |bound| {
+        let below = below(n, |k| Lanes([diagonal[k]]), |k| Lanes([beside[k]]), bound);
+        below[0] as usize
+    };
+    let mut wanted = count(-bound);
+    let positive = n - count(bound);
     if positive < wanted {
         wanted = positive;
         let factor = match part {
@@ -115,7 +120,7 @@ fn has_positive_pivots(a: &mut [f64], n: usize) -> bool {
 }
 
 /// Householder's reduction of a matrix with entries up to 4, from the last row to the first, see
-/// [`super::tridiagonal::tridiagonal`]. The matrix becomes the reflections.
+/// [`super::tridiagonal::Tridiagonal`]. The matrix becomes the reflections.
 fn tridiagonal(
     a: &mut [f64],
     n: usize,
@@ -169,7 +174,7 @@ fn tridiagonal(
 }
 
 /// Rotates a tridiagonal matrix until its entry beside `first` is negligible, with rows of vectors, see
-/// [`super::tridiagonal::settle`].
+/// [`super::tridiagonal::Tridiagonal`].
 fn settle(diagonal: &mut [f64], beside: &mut [f64], vectors: &mut [f64], first: usize) {
     let n = diagonal.len();
     for step in 0..MOST_STEPS {
@@ -181,7 +186,11 @@ fn settle(diagonal: &mut [f64], beside: &mut [f64], vectors: &mut [f64], first: 
             return;
         }
         let shift = if step == 0 && last > first + 1 {
-            lowest(diagonal, beside, first, last)
+            lowest(
+                first..=last,
+                |k| Lanes([diagonal[k]]),
+                |k| Lanes([beside[k]]),
+            )[0]
         } else {
             // the eigenvalue of the first two rows that is nearer to the first entry
             let half = 0.5 * (diagonal[first + 1] - diagonal[first]);
