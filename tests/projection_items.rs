@@ -41,6 +41,8 @@ programs! {
         R = ∑_(i ∈ V) psd(∂²many(i)/∂u²)
         S = ∑_(i ∈ V) psd(∂²free(i)/∂z²)
         T = ∑_(k = 2)^n psd(∂²held(k)/∂z²)
+        f = ∑_(i ∈ V) flat(i)
+        Y = ∑_(k = 1)^n psd(k ∂²f/∂y²)
     "#;
 
     Opposite, PlainOpposite = r#"
@@ -201,6 +203,23 @@ fn the_first_vertex_without_a_value_is_named() {
     let error = module.try_P().unwrap_err().to_string();
     assert!(
         error.starts_with("`P` has no value: for vertex 1, `OppositeVertices` has no value"),
+        "{error}"
+    );
+}
+
+/// A block that takes all of a mesh has more entries than can be counted: that is said before memory is asked for.
+#[test]
+fn a_block_that_is_too_large() {
+    let lists = grid(260);
+    let mesh = lists.mesh();
+    let (y, none) = (vec![1.0; lists.n], vec![0; lists.n]);
+    let (u, at) = (vec![DMat2::ZERO; lists.n], vec![DVec2::ZERO; lists.n]);
+    let nothing: Vec<DVec2> = Vec::new();
+    let module =
+        optimized::Items::new(&mesh, 1.0, &y, &u, &at, &none, nothing, Set::default(), 1).unwrap();
+    let error = module.try_Y().unwrap_err().to_string();
+    assert!(
+        error.contains("more entries than can be counted"),
         "{error}"
     );
 }
