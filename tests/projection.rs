@@ -56,7 +56,8 @@ programs! {
         H = ∑_(i ∈ V) psd(∂²nested(i)/∂x²)
         J = ∑_(i ∈ V) psd_abs(∂²both(i)/∂x²)
         K = ∑_(i ∈ V) psd(∂²curved(i)/∂x²)
-        L = 2 ∑_(i ∈ V) psd(∂²stretch(i)/∂x²) + ∑_(i ∈ V) psd(w ∂²mean(i)/∂x²) - w A / 2 + ∑_(i ∈ V) (psd(∂²both(i)/∂x²) - psd_abs(∂²both(i)/∂x²)/w)
+        L = 2 ∑_(i ∈ V) psd(∂²stretch(i)/∂x²) + ∑_(i ∈ V) psd(w ∂²mean(i)/∂x²) - w A / 2 + ∑_(i ∈ V) (psd(∂²both(i)/∂x²) - psd_abs(∂²both(i)/∂x²)/w - 2 psd_abs(∂²straight(i)/∂x²))
+        straight(i) = (‖x_i‖² - w)² where i ∈ V
         cases(i) = { (∑_(j ∈ VertexOneRing(i)) ‖x_j - x_i‖² - w)² if ‖x_i‖² > w
                      ∑_(j ∈ VertexOneRing(i)) l(x_i, x_j) otherwise where i ∈ V
         r = ∑_(i ∈ V) cases(i)
@@ -116,6 +117,10 @@ impl Energies<'_> {
         }
         let terms = self.ring(i, x).map(|p| square(&(dot(&x[i], p) - self.w)));
         terms.fold(Dual::from(0.0), |all, term| all + term)
+    }
+
+    fn straight(&self, i: usize, x: &[Point]) -> Dual {
+        square(&(dot(&x[i], &x[i]) - self.w))
     }
 
     fn cases(&self, i: usize, x: &[Point]) -> Dual {
@@ -192,7 +197,8 @@ for_both! {
                 near("K", &dense(&module.K()), &total(&|e, i, x| e.curved(i, x), &psd));
                 let l = 2.0 * total(&|e, i, x| e.stretch(i, x), &psd)
                     + 0.5 * w * &a
-                    + total(&|e, i, x| e.both(i, x), &|a| positive(&a) - absolute(a) / w);
+                    + total(&|e, i, x| e.both(i, x), &|a| positive(&a) - absolute(a) / w)
+                    - 2.0 * total(&|e, i, x| e.straight(i, x), &absolute);
                 near("L", &dense(&module.L()), &l);
                 let u = total(&|e, i, x| e.cases(i, x), &psd);
                 near("U", &dense(&module.U()), &u);
