@@ -297,7 +297,6 @@ fn differences<const P: usize, const H: usize, const N: usize, const M: usize>(
     let (mut rest, mut size) = ([0.0f64; N], [0.0f64; N]);
     for i in 0..H {
         let mut sum = rows[i];
-        let mut sizes = sum.map(f64::abs);
         for k in 1..P {
             let weight = weight(k);
             let row = &rows[k * H + i];
@@ -305,19 +304,20 @@ fn differences<const P: usize, const H: usize, const N: usize, const M: usize>(
             for (j, x) in row.iter().enumerate() {
                 to[j] = weight * (sum[j] - k as f64 * x);
                 sum[j] += x;
-                sizes[j] += x.abs();
             }
         }
         for j in 0..N {
             // NaN stays
-            let more = sum[j].abs() <= rest[j];
-            rest[j] = if more { rest[j] } else { sum[j].abs() };
-            size[j] = if sizes[j] > size[j] {
-                sizes[j]
-            } else {
-                size[j]
-            };
+            let sum = sum[j].abs();
+            rest[j] = if sum <= rest[j] { rest[j] } else { sum };
+            // rows of a part, and the diagonal, are large where others are
+            let x = rows[i][j].abs();
+            size[j] = if x > size[j] { x } else { size[j] };
         }
+    }
+    for (j, size) in size.iter_mut().enumerate() {
+        let x = rows[j][j].abs();
+        *size = if x > *size { x } else { *size };
     }
     let size = size
         .iter()

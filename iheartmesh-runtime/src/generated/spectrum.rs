@@ -139,8 +139,8 @@ impl<const N: usize, const L: usize> Replacements<N, L> {
             }
         }
         tridiagonal.reduce();
-        let negative = tridiagonal.below(-bound::<N>());
-        let positive = Lanes::splat(N as f64) - tridiagonal.below(bound::<N>());
+        let [negative, others] = tridiagonal.below([-bound::<N>(), bound::<N>()]);
+        let positive = Lanes::splat(N as f64) - others;
         let negated = negative.greater(positive);
         tridiagonal.scale(Lanes::select(negated, -one, one));
         self.wanted = negative.min(positive);

@@ -42,12 +42,14 @@ pub(super) fn replace(a: &mut [f64], n: usize, part: Part, work: &mut [f64]) {
 
     // what lies between may be 0
     let bound = 4.0 * n as f64 * f64::EPSILON;
-    let count = |bound| {
-        let below = below(n, |k| Lanes([diagonal[k]]), |k| Lanes([beside[k]]), bound);
-        below[0] as usize
-    };
-    let mut wanted = count(-bound);
-    let positive = n - count(bound);
+    let counts = below(
+        n,
+        |k| Lanes([diagonal[k]]),
+        |k| Lanes([beside[k]]),
+        [-bound, bound],
+    );
+    let [mut wanted, others] = counts.map(|count| count[0] as usize);
+    let positive = n - others;
     if positive < wanted {
         wanted = positive;
         let factor = match part {

@@ -97,10 +97,10 @@ impl<const N: usize, const L: usize> Tridiagonal<N, L> {
         diagonal[0] = a[0][0];
     }
 
-    /// How many eigenvalues are below a bound.
+    /// How many eigenvalues are below each bound.
     #[inline(always)]
-    pub(super) fn below(&self, bound: f64) -> Lanes<L> {
-        below(N, |k| self.diagonal[k], |k| self.beside[k], bound)
+    pub(super) fn below(&self, bounds: [f64; 2]) -> [Lanes<L>; 2] {
+        below(N, |k| self.diagonal[k], |k| self.beside[k], bounds)
     }
 
     /// Multiplies each matrix.
@@ -231,24 +231,26 @@ impl<const N: usize, const L: usize> Tridiagonal<N, L> {
     }
 }
 
-/// How many eigenvalues of symmetric tridiagonal matrices of `n` rows are below a bound: as many as pivots are negative.
+/// How many eigenvalues of symmetric tridiagonal matrices of `n` rows are below each bound: as many as pivots are negative.
 #[inline(always)]
 pub(super) fn below<const L: usize>(
     n: usize,
     diagonal: impl Fn(usize) -> Lanes<L>,
     beside: impl Fn(usize) -> Lanes<L>,
-    bound: f64,
-) -> Lanes<L> {
+    bounds: [f64; 2],
+) -> [Lanes<L>; 2] {
     let (zero, one) = (Lanes::splat(0.0), Lanes::splat(1.0));
-    let (mut count, mut pivot, mut square) = (zero, one, zero);
+    let (mut counts, mut pivots, mut square) = ([zero; 2], [one; 2], zero);
     for k in 0..n {
-        pivot = diagonal(k) - Lanes::splat(bound) - square.over(pivot);
-        let small = Lanes::splat(1e-20).greater(pivot.abs());
-        pivot = Lanes::select(small, Lanes::splat(1e-20), pivot);
-        count += Lanes::select(zero.greater(pivot), one, zero);
+        for ((count, pivot), bound) in counts.iter_mut().zip(&mut pivots).zip(bounds) {
+            let next = diagonal(k) - Lanes::splat(bound) - square.over(*pivot);
+            let small = Lanes::splat(1e-20).greater(next.abs());
+            *pivot = Lanes::select(small, Lanes::splat(1e-20), next);
+            *count += Lanes::select(zero.greater(*pivot), one, zero);
+        }
         square = beside(k) * beside(k);
     }
-    count
+    counts
 }
 
 /// About the lowest eigenvalue of some rows of symmetric tridiagonal matrices: a few steps of Laguerre's method on the
