@@ -1,5 +1,5 @@
 //! Symmetric matrices of small fixed sizes: whether they are positive semi-definite, and with their eigenvalues replaced.
-//! Nothing here allocates.
+//! Nothing here allocates, up to 30 rows.
 
 use super::array::Array;
 use super::lanes::Lanes;

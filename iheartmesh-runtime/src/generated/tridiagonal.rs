@@ -303,12 +303,13 @@ pub(super) fn lowest<const L: usize>(
     value
 }
 
-/// Rotations that matrices have gone through: more than usual are kept on the heap.
+/// Rotations that matrices have gone through. Those of matrices of up to 30 rows have room in place; there is memory of the heap
+/// for more.
 pub(super) struct Rotations<const L: usize> {
     /// For each step the row that it went to, and the one that it came from.
-    steps: SmallVec<[[usize; 2]; 32]>,
+    steps: SmallVec<[[usize; 2]; 64]>,
     /// Cosine and sine.
-    all: SmallVec<[[Lanes<L>; 2]; 192]>,
+    all: SmallVec<[[Lanes<L>; 2]; 1024]>,
 }
 
 impl<const L: usize> Rotations<L> {
@@ -319,5 +320,42 @@ impl<const L: usize> Rotations<L> {
             steps: SmallVec::new(),
             all: SmallVec::new(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half of the eigenvalues, the most that are ever needed, of eight matrices of `N` rows.
+    fn has_room<const N: usize>() {
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        for _ in 0..10 {
+            let mut tridiagonal = Tridiagonal::<N, 8>::new();
+            for x in tridiagonal.rows.iter_mut().flatten() {
+                *x = Lanes(std::array::from_fn(|_| {
+                    state ^= state << 13;
+                    state ^= state >> 7;
+                    state ^= state << 17;
+                    (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+                }));
+            }
+            tridiagonal.reduce();
+            let mut rotations = Rotations::new();
+            for first in 0..N / 2 {
+                tridiagonal.settle(&mut rotations, first, [true; 8]);
+            }
+            assert!(!rotations.all.is_empty());
+            assert!(!rotations.all.spilled() && !rotations.steps.spilled());
+        }
+    }
+
+    #[test]
+    fn rotations_have_room() {
+        has_room::<4>();
+        has_room::<9>();
+        has_room::<12>();
+        has_room::<18>();
+        has_room::<30>();
     }
 }
