@@ -2,7 +2,7 @@
 
 use super::jacobian::jacobian;
 use super::normal::Normal;
-use super::stencil::{self, Stencil};
+use super::stencil::{self, Stencil, Wanted};
 use super::{Trouble, count, gradient, size, sparse};
 use crate::ir::{Binary, ExprId, Fold, Kind, Range, Unary};
 use crate::types::{Dimension, Type};
@@ -88,8 +88,7 @@ fn whole(normal: &mut Normal<'_>, y: ExprId, a: ExprId, b: ExprId) -> Result<Exp
         let mut stencil = Stencil {
             normal,
             x: a,
-            second: true,
-            row: None,
+            wanted: Wanted::Second,
             sizes: vec![size; 2],
             ty,
             otherwise: by_rows,

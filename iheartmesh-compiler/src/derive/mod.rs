@@ -30,7 +30,7 @@ use crate::types::{Dimension, Shape, Type};
 
 use normal::Normal;
 use reverse::{Reverse, Target};
-use stencil::Stencil;
+use stencil::{Stencil, Wanted};
 
 /// Why something cannot be differentiated.
 #[derive(Clone, Debug)]
@@ -85,8 +85,7 @@ pub fn first(program: &mut Program, y: ExprId, x: ExprId) -> Result<ExprId, Trou
             let mut stencil = Stencil {
                 normal: &mut normal,
                 x,
-                second: false,
-                row: None,
+                wanted: Wanted::First,
                 sizes: vec![size],
                 ty: Type::real_vector(length),
                 otherwise: |normal: &mut Normal<'_>, term| gradient(normal, term, x),
@@ -129,13 +128,12 @@ pub fn value(program: &mut Program, y: ExprId, x: ExprId) -> ExprId {
     let mut stencil = Stencil {
         normal: &mut normal,
         x,
-        second: false,
-        row: None,
+        wanted: Wanted::Value,
         sizes: Vec::new(),
         ty: Type::REAL,
         otherwise: |_: &mut Normal<'_>, term| Ok(term),
     };
-    stencil.value(in_form, None, &[])
+    stencil.of(in_form).unwrap_or(y)
 }
 
 /// The number of numbers in an input, as a derivative by it has it among its sizes.

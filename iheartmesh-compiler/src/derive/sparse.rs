@@ -6,7 +6,7 @@ use super::hessian::is_local;
 use super::jacobian::{self, Rows};
 use super::normal::{Normal, is_vector};
 use super::reverse::{Reverse, Target};
-use super::stencil::{self, Stencil};
+use super::stencil::{self, Stencil, Wanted};
 use super::{Trouble, count, size};
 use crate::ir::{Binary, ExprId, Fold, Kind, Unary};
 use crate::optimize::rewrite;
@@ -246,8 +246,7 @@ impl Sparse<'_, '_> {
                     let mut stencil = Stencil {
                         normal: self.normal,
                         x,
-                        second: false,
-                        row: Some(*row),
+                        wanted: Wanted::Row(*row),
                         sizes: sizes.to_vec(),
                         ty: ty.clone(),
                         otherwise: |normal: &mut Normal<'_>, term| {

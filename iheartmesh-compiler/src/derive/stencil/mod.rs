@@ -14,7 +14,6 @@ mod formula;
 mod frontier;
 mod numbers;
 mod slopes;
-mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,18 +29,28 @@ use formula::{Formulas, Item, Stop};
 const CASES: usize = 4;
 const ENTRIES: usize = 36;
 
-/// What is put together: a vector of first derivatives, or a matrix of second ones.
+/// What is computed of a sum of terms.
+#[derive(Clone, Copy)]
+pub(super) enum Wanted {
+    /// Its value, in the formulas of its derivatives, so that they have in common what they can.
+    Value,
+    /// A vector of its first derivatives.
+    First,
+    /// These as a row of a matrix.
+    Row(ExprId),
+    /// A matrix of its second derivatives.
+    Second,
+}
+
+/// Puts together what is wanted of a sum of terms.
 pub(super) struct Stencil<'n, 'a, F> {
     pub(super) normal: &'n mut Normal<'a>,
     pub(super) x: ExprId,
-    /// Whether second derivatives are asked for.
-    pub(super) second: bool,
-    /// The row of a matrix that first derivatives are put in.
-    pub(super) row: Option<ExprId>,
-    /// Its sizes and type.
+    pub(super) wanted: Wanted,
+    /// The sizes and type of the derivatives.
     pub(super) sizes: Vec<ExprId>,
     pub(super) ty: Type,
-    /// The derivative of a term in another way.
+    /// The derivative of a term in another way, or its value.
     pub(super) otherwise: F,
 }
 
@@ -49,7 +58,7 @@ impl<F> Stencil<'_, '_, F>
 where
     F: FnMut(&mut Normal<'_>, ExprId) -> Result<ExprId, Trouble>,
 {
-    /// The derivative of a number in normal form.
+    /// What is wanted of a number in normal form.
     pub(super) fn of(&mut self, y: ExprId) -> Result<ExprId, Trouble> {
         self.sum(y, None, &[])
     }
@@ -65,7 +74,7 @@ where
         self.normal.program.arena.add(kind, self.ty.clone())
     }
 
-    /// The derivative of `factor` times a sum of terms.
+    /// What is wanted of `factor` times a sum of terms.
     fn sum(
         &mut self,
         y: ExprId,
@@ -73,7 +82,10 @@ where
         facts: &[(ExprId, bool)],
     ) -> Result<ExprId, Trouble> {
         if !self.is_active(y) {
-            return Ok(self.assembled(Vec::new()));
+            return Ok(match self.wanted {
+                Wanted::Value => self.scaled(y, factor),
+                _ => self.assembled(Vec::new()),
+            });
         }
         let times = |normal: &mut Normal<'_>, k: ExprId| match factor {
             Some(factor) => normal.algebra().scale(factor, k),
@@ -140,13 +152,17 @@ where
             _ => match self.term(y, factor, facts) {
                 Some(term) => Ok(term),
                 None => {
-                    let y = match factor {
-                        Some(factor) => self.normal.algebra().scale(factor, y),
-                        None => y,
-                    };
+                    let y = self.scaled(y, factor);
                     (self.otherwise)(self.normal, y)
                 }
             },
+        }
+    }
+
+    fn scaled(&mut self, y: ExprId, factor: Option<ExprId>) -> ExprId {
+        match factor {
+            Some(factor) => self.normal.algebra().scale(factor, y),
+            None => y,
         }
     }
 
@@ -206,7 +222,7 @@ where
         Some(places)
     }
 
-    /// The derivative of one term, if it has a formula.
+    /// What is wanted of one term, if it has a formula.
     fn term(
         &mut self,
         y: ExprId,
@@ -223,24 +239,26 @@ where
         facts: &[(ExprId, bool)],
         left: usize,
     ) -> Option<ExprId> {
-        let (second, row) = (self.second, self.row);
+        let wanted = self.wanted;
         let mut formulas = Formulas::new(self.normal, self.x, facts);
         let found = formulas.number(y).and_then(|mut e| {
             if let Some(factor) = factor {
                 e = formulas.numbers().multiply(factor, e);
             }
-            let block = match second {
-                true => formulas.second_block(e),
-                false => formulas.first_block(e),
+            let block = match wanted {
+                Wanted::Value => return Ok(Err(e)),
+                Wanted::First => formulas.first_block(e),
+                Wanted::Row(row) => {
+                    let block = formulas.first_block(e);
+                    block.map(|block| block.map(|block| formulas.in_row(block, row)))
+                }
+                Wanted::Second => formulas.second_block(e),
             };
-            let block = block.ok_or(Stop::Unknown)?;
-            Ok(match row {
-                Some(row) => block.map(|block| formulas.in_row(block, row)),
-                None => block,
-            })
+            block.map(Ok).ok_or(Stop::Unknown)
         });
         match found {
-            Ok(block) => Some(self.assembled(block.into_iter().collect())),
+            Ok(Ok(block)) => Some(self.assembled(block.into_iter().collect())),
+            Ok(Err(value)) => Some(value),
             Err(Stop::Cases(condition)) if left > 1 => {
                 let then = self.informed(facts, condition, true);
                 let then = self.cases(y, factor, &then, left / 2)?;
