@@ -9,8 +9,9 @@ use std::collections::{BTreeMap, HashMap};
 use super::Trouble;
 use super::algebra::Algebra;
 use super::normal::Normal;
-use crate::ir::{Block, ExprId, Kind, Range, Unary, VariableId};
-use crate::optimize::MayFail;
+use crate::ir::{Block, ExprId, Fold, Kind, Range, Unary, VariableId};
+use crate::optimize::{MayFail, rewrite};
+use crate::syntax::ast::CompareOp;
 use crate::types::{Shape, Type};
 
 /// What a region is.
@@ -164,14 +165,70 @@ impl<'n, 'a> Reverse<'n, 'a> {
         a
     }
 
-    /// The region around a loop, where an expression does not depend on the loop.
-    fn outside(&mut self, e: ExprId, region: usize) -> Option<usize> {
-        let Part::Loop(variable, ..) = self.regions[region].part else {
-            return None;
+    /// The region around a loop, where an expression does not depend on the loop: what comes from all rounds goes on from
+    /// there at once. An expression without a value matters only if there is a round that uses it.
+    fn outside(&mut self, e: ExprId, mut region: usize) -> Option<usize> {
+        let mut taken = Vec::new();
+        let (variable, range, condition) = loop {
+            let Region { part, parent, .. } = self.regions[region].clone();
+            match part {
+                Part::Whole => return None,
+                Part::Loop(variable, range, condition) => break (variable, range, condition),
+                Part::Then(condition, _) => taken.push(condition),
+                Part::Else(condition, _) => {
+                    let not = Kind::Not(condition);
+                    taken.push(self.algebra().arena.add(not, Type::Boolean));
+                }
+            }
+            region = parent;
         };
         let outer = self.regions[region].parent;
-        let free = self.normal.program.arena.depends_on(e, variable);
-        (!free && !self.fails(e)).then_some(outer)
+        if self.normal.program.arena.depends_on(e, variable) {
+            return None;
+        }
+        if !self.fails(e) {
+            return Some(outer);
+        }
+        taken.extend(condition);
+        let is_used = self.has_rounds(variable, range, taken);
+        Some(self.branches(outer, is_used).0)
+    }
+
+    /// Whether a loop has a round in which conditions hold, the last of them the first that is asked.
+    fn has_rounds(
+        &mut self,
+        mut variable: VariableId,
+        range: Range,
+        conditions: Vec<ExprId>,
+    ) -> ExprId {
+        let fresh = self.normal.fresh(&mut [&mut variable]);
+        let arena = &mut self.normal.program.arena;
+        let zero = arena.integer(0);
+        let all = conditions
+            .into_iter()
+            .map(|c| rewrite::substitute(arena, c, &fresh))
+            .collect::<Vec<_>>();
+        let condition = all
+            .into_iter()
+            .rev()
+            .reduce(|first, then| arena.add(Kind::And(first, then), Type::Boolean));
+        let count = match (range, condition) {
+            (Range::Integers(from, to), None) => {
+                return self.algebra().compare(CompareOp::LessOrEqual, from, to);
+            }
+            (Range::Set(set), None) => arena.add(Kind::Cardinality(set), Type::INTEGER),
+            _ => {
+                let kind = Kind::Fold {
+                    op: Fold::Sum,
+                    variable,
+                    range,
+                    condition,
+                    body: arena.integer(1),
+                };
+                arena.add(kind, Type::INTEGER)
+            }
+        };
+        self.algebra().compare(CompareOp::NotEqual, count, zero)
     }
 
     fn fails(&mut self, e: ExprId) -> bool {
