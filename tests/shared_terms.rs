@@ -40,6 +40,29 @@ programs! {
         G = ∂q/∂x
     "#;
 
+    Assembled, PlainAssembled = r#"
+        ElementSets from MeshConnectivity
+        VertexOneRing from Neighborhoods(M)
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        m ∈ ℝ^(#V)
+        L ∈ ℝ^(#V×#V)
+        L_vw = { -‖x_v - x_w‖² if w ∈ VertexOneRing(v)
+        L_vv = 1 - ∑_w L_vw
+        `K` ∈ ℝ^(#V×#V)
+        `K`_vw = { x_v ⋅ x_w if w ∈ VertexOneRing(v)
+        d(v) = ∑_(w ∈ VertexOneRing(v)) `K`_vw where v ∈ V
+        R = L + ½ `K`ᵀ
+        y = L⁻¹ m
+        e = 1_(#V) ⋅ (L m) + ∑_(v ∈ V) d(v)²
+        f = y ⋅ y
+        h = ∑_(v ∈ V) ∑_(w ∈ V) R_v,w³ - mᵀ R m + ∑_v R_vv²
+        A = ∂e/∂x
+        B = ∂f/∂x
+        C = ∂h/∂x
+    "#;
+
     Far, PlainFar = r#"
         u_i ∈ ℝ
         n ∈ ℤ
@@ -49,6 +72,22 @@ programs! {
                  u_i otherwise where i ∈ ℤ
         e = ∑_(i ∈ S) T(i)
         g = ∂e/∂u
+    "#;
+}
+
+iheartmesh::iheartmesh! {
+    struct Edges = r#"
+        ElementSets from MeshConnectivity
+        VertexOneRing from Neighborhoods(M)
+        M : FaceMesh
+        V, E, F = ElementSets(M)
+        x : V → ℝ²
+        m ∈ ℝ^(#V)
+        L ∈ ℝ^(#V×#V)
+        L_vw = { -‖x_v - x_w‖² if w ∈ VertexOneRing(v)
+        L_vv = 1 - ∑_w L_vw
+        e = 1_(#V) ⋅ (L m) + mᵀ L m
+        A = ∂e/∂x
     "#;
 }
 
@@ -111,6 +150,32 @@ for_both! {
     }
 
     #[test]
+    fn entries_of_sparse_matrices() {
+        for (mesh, x) in plane::meshes(3) {
+            let m = DVector::from_vec(numbers(x.len())).add_scalar(1.5);
+            let at = |x: Vec<DVec2>| {
+                let module = Assembled::new(&mesh, x, m.clone()).unwrap();
+                [(module.e(), module.A()), (module.f(), module.B()), (module.h(), module.C())]
+            };
+            let all = at(x.clone());
+            let step = 1e-6;
+            for k in 0..2 * x.len() {
+                let moved = |by: f64| {
+                    let mut x = x.clone();
+                    x[k / 2][k % 2] += by;
+                    at(x)
+                };
+                let (above, below) = (moved(step), moved(-step));
+                for (which, (_, gradient)) in all.iter().enumerate() {
+                    let slope = (above[which].0 - below[which].0) / (2.0 * step);
+                    let error = (gradient[k] - slope).abs();
+                    assert!(error < 1e-6 * (1.0 + gradient.amax()), "{which} {slope} {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn what_no_term_uses_may_be_without_a_value() {
         let set = |members: &[i64]| members.iter().copied().collect::<iheartmesh::Set<i64>>();
         // there is no fifth number
@@ -150,4 +215,21 @@ fn the_shared_sum_is_done_once() {
         let error = (gradient[2 * last] - slope).abs();
         assert!(error < 1e-3 * slope.abs() + 1e-6, "{which} {slope} {error}");
     }
+}
+
+#[test]
+fn matrices_stay_sparse() {
+    // with an adjoint for each pair of vertices, it would take 65 GB
+    let (x, rows) = plane::grid(301);
+    let mesh = FaceMesh::from_triangles(x.len(), &rows).unwrap();
+    let m = DVector::from_vec(numbers(x.len()));
+    let module = Edges::new(&mesh, &x, &m).unwrap();
+    let (g, last) = (module.A(), x.len() - 1);
+    let moved = |by: f64| {
+        let mut x = x.clone();
+        x[last].x += by;
+        Edges::new(&mesh, x, &m).unwrap().e()
+    };
+    let slope = (moved(1e-3) - moved(-1e-3)) / 2e-3;
+    assert!((g[2 * last] - slope).abs() < 1e-3 * slope.abs() + 1e-6);
 }

@@ -9,6 +9,7 @@
 //!
 //! **Order of entries:** that of `vec`: a vector as it is, a matrix column by column, a sequence item by item.
 
+mod adjoint;
 mod algebra;
 mod bound;
 mod elementary;

@@ -95,9 +95,11 @@ impl Reverse<'_, '_> {
                 let ty = self.algebra().dense(body);
                 let i = places[0];
                 let adjoint = match layout {
-                    Layout::Vector => self.algebra().entry(d, i),
-                    Layout::Matrix | Layout::Sparse => self.algebra().at(d, i, places[1]),
-                    Layout::Diagonal => self.algebra().at(d, i, i),
+                    Layout::Vector => self.algebra().entry_of_adjoint(d, &[i]),
+                    Layout::Matrix | Layout::Sparse => {
+                        self.algebra().entry_of_adjoint(d, &[i, places[1]])
+                    }
+                    Layout::Diagonal => self.algebra().entry_of_adjoint(d, &[i, i]),
                     Layout::Rows => self.algebra().arena.add(Kind::RowOf(d, i), ty),
                     Layout::Columns => self.algebra().arena.add(Kind::ColumnOf(d, i), ty),
                     Layout::Sequence => {
@@ -115,7 +117,7 @@ impl Reverse<'_, '_> {
                 ..
             } => {
                 let inside = self.inside_of_loop(region, variable, Range::Set(set), None);
-                let adjoint = self.algebra().at(d, i, j);
+                let adjoint = self.algebra().entry_of_adjoint(d, &[i, j]);
                 self.give(body, inside, adjoint);
             }
             Kind::Sequence(items) => {

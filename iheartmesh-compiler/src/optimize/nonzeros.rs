@@ -5,12 +5,14 @@
 //! number, is left out as well, as in the product of a sparse matrix and a vector.) The matrix is stored once in the
 //! order in which it is walked along.
 
+use std::collections::HashMap;
+
 use super::{MayFail, rewrite};
 use crate::ir::{
     Arena, Binary, ExprId, Fold, Global, GlobalId, Kind, Program, Range, Unary, VariableId,
 };
 use crate::span::Span;
-use crate::types::{Dimension, Type};
+use crate::types::{Atom, Dimension, Type};
 
 pub fn run(program: &mut Program) {
     let mut pass = Pass {
@@ -67,24 +69,32 @@ impl Pass {
         let Kind::Fold {
             op: Fold::Sum,
             variable,
-            range: Range::Integers(from, to),
+            range,
             condition,
             body,
         } = arena.kind(e).clone()
         else {
             return None;
         };
-        if *arena.kind(from) != Kind::Integer(1) {
-            return None;
-        }
-        let (mut to, mut agreed) = (to, Vec::new());
-        while let Kind::Agree(a, b, value) = *arena.kind(to) {
-            agreed.push((a, b));
-            to = value;
-        }
-        let size = match arena.kind(to) {
-            Kind::Size(size) => size.clone(),
-            Kind::Integer(n) => Dimension::known(*n),
+        let (mut agreed, mut place) = (Vec::new(), None);
+        let size = match range {
+            Range::Integers(from, to) if *arena.kind(from) == Kind::Integer(1) => {
+                let mut to = to;
+                place = arena.origin(to);
+                while let Kind::Agree(a, b, value) = *arena.kind(to) {
+                    agreed.push((a, b));
+                    to = value;
+                }
+                match arena.kind(to) {
+                    Kind::Size(size) => size.clone(),
+                    Kind::Integer(n) => Dimension::known(*n),
+                    _ => return None,
+                }
+            }
+            Range::Set(set) => match arena.kind(set) {
+                Kind::AllElements(element) => Dimension::atom(Atom::Count(*element)),
+                _ => return None,
+            },
             _ => return None,
         };
         let mut walk = entries(arena, body, variable)
@@ -96,14 +106,15 @@ impl Pass {
         {
             return None;
         }
+        let (variable, condition, body) = by_numbers(arena, variable, condition, body);
         let known = (walk.matrix, walk.axis);
-        let place = self.walked.iter().position(|other| *other == known);
-        let place = place.unwrap_or_else(|| {
+        let number = self.walked.iter().position(|other| *other == known);
+        let number = number.unwrap_or_else(|| {
             self.walked.push(known);
             self.walked.len() - 1
         });
         let ty = arena.ty(walk.matrix).clone();
-        let global = Kind::Global(GlobalId(self.first + place as u32));
+        let global = Kind::Global(GlobalId(self.first + number as u32));
         let stored = arena.add(global, ty);
         let set = arena.add(
             Kind::Stored(stored, walk.axis, walk.index),
@@ -125,7 +136,7 @@ impl Pass {
         );
         for (a, b) in walk.agreed {
             let agree = arena.add(Kind::Agree(a, b, all), ty.clone());
-            if let Some(span) = arena.origin(to).or(arena.origin(e)) {
+            if let Some(span) = place.or(arena.origin(e)) {
                 arena.note_origin(agree, span);
             }
             all = agree;
@@ -149,7 +160,7 @@ impl Pass {
         if !arena.depends_on(e, walk.variable) {
             return !self.may_fail.expr(arena, e);
         }
-        let is_index = |k: ExprId| *arena.kind(k) == Kind::Variable(walk.variable);
+        let is_index = |k: ExprId| is_number_of(arena, k, walk.variable);
         let in_range = match arena.kind(e) {
             Kind::Component(of, k) | Kind::Item(of, k) if is_index(*k) => match arena.ty(*of) {
                 Type::Vector { length, .. } | Type::Sequence { length, .. } => {
@@ -174,6 +185,45 @@ impl Pass {
     }
 }
 
+/// Whether an expression is a variable, or the number of the element that it is.
+fn is_number_of(arena: &Arena, e: ExprId, variable: VariableId) -> bool {
+    let is_variable = |e: ExprId| *arena.kind(e) == Kind::Variable(variable);
+    match *arena.kind(e) {
+        Kind::Unary(Unary::ToInteger, a) => is_variable(a),
+        _ => is_variable(e),
+    }
+}
+
+/// A loop over elements as one over their numbers, which are what a matrix stores.
+fn by_numbers(
+    arena: &mut Arena,
+    variable: VariableId,
+    condition: Option<ExprId>,
+    body: ExprId,
+) -> (VariableId, Option<ExprId>, ExprId) {
+    let ty = arena.variable_type(variable).clone();
+    if !ty.is_element() {
+        return (variable, condition, body);
+    }
+    let number = arena.new_variable("k", Type::INTEGER);
+    let k = arena.variable(number);
+    let element = arena.add(Kind::Unary(Unary::ToElement, k), ty);
+    let element = HashMap::from([(variable, element)]);
+    let mut put = |e: ExprId| {
+        let e = rewrite::substitute(arena, e, &element);
+        rewrite::upward(arena, e, &mut HashMap::new(), &mut |arena, e| {
+            let Kind::Unary(Unary::ToInteger, a) = *arena.kind(e) else {
+                return e;
+            };
+            match *arena.kind(a) {
+                Kind::Unary(Unary::ToElement, number) if number == k => k,
+                _ => e,
+            }
+        })
+    };
+    (number, condition.map(&mut put), put(body))
+}
+
 /// The entries of sparse matrices that a term is 0 with.
 fn entries(arena: &Arena, term: ExprId, variable: VariableId) -> Vec<Walk> {
     match *arena.kind(term) {
@@ -187,7 +237,7 @@ fn entries(arena: &Arena, term: ExprId, variable: VariableId) -> Vec<Walk> {
             else {
                 return Vec::new();
             };
-            let is_index = |k: ExprId| *arena.kind(k) == Kind::Variable(variable);
+            let is_index = |k: ExprId| is_number_of(arena, k, variable);
             let (axis, index, size, other) = match (is_index(row), is_index(column)) {
                 (false, true) => (0, row, columns, rows),
                 (true, false) => (1, column, rows, columns),
