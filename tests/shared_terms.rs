@@ -72,6 +72,8 @@ programs! {
                  u_i otherwise where i ∈ ℤ
         e = ∑_(i ∈ S) T(i)
         g = ∂e/∂u
+        b = ∑_i ∑_j (u_j - u_i ∑_k u_k³)²
+        B = ∂b/∂u
     "#;
 }
 
@@ -192,6 +194,15 @@ for_both! {
         let by_b = 1.0 - 2.0 * a * b - 3.0 * b * b;
         let expected = [1.0 - 2.0 * inner * b * b, 2.0 * inner * by_b];
         assert!((module.g() - DVector::from_row_slice(&expected)).amax() < 1e-12);
+        // what the terms of the inner sum share differs from one of the outer sum to the next
+        let step = 1e-6;
+        let at = |a: f64, b: f64| Far::new(vec![a, b], 1, set(&[])).unwrap();
+        let slopes = [
+            at(a + step, b).b() - at(a - step, b).b(),
+            at(a, b + step).b() - at(a, b - step).b(),
+        ];
+        let slopes = DVector::from_row_slice(&slopes) / (2.0 * step);
+        assert!((at(a, b).B() - &slopes).amax() < 1e-7 * slopes.amax());
     }
 }
 

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::Trouble;
 use super::algebra::Algebra;
+use super::hessian::is_local;
 use super::normal::Normal;
 use crate::ir::{Block, ExprId, Fold, Kind, Range, Unary, VariableId};
 use crate::optimize::{MayFail, rewrite};
@@ -107,12 +108,12 @@ impl<'n, 'a> Reverse<'n, 'a> {
         let one = reverse.algebra().real(1.0);
         reverse.give(y, 0, one);
         while let Some((e, pending)) = reverse.pending.pop_last() {
-            let mut region = pending.region;
-            while let Some(outer) = reverse.outside(e, region) {
-                region = outer;
+            let (mut to, mut region) = (pending.region, pending.region);
+            while let Some((outer, used)) = reverse.outside(e, region) {
+                (to, region) = (outer, used);
             }
             let zero = |algebra: &mut Algebra<'_>| algebra.zero(e);
-            let adjoint = reverse.gather(pending.adjoints, region, zero);
+            let adjoint = reverse.gather(pending.adjoints, to, zero);
             if !reverse.algebra().is_zero(adjoint) {
                 reverse.propagate(e, region, adjoint)?;
             }
@@ -166,8 +167,9 @@ impl<'n, 'a> Reverse<'n, 'a> {
     }
 
     /// The region around a loop, where an expression does not depend on the loop: what comes from all rounds goes on from
-    /// there at once. An expression without a value matters only if there is a round that uses it.
-    fn outside(&mut self, e: ExprId, mut region: usize) -> Option<usize> {
+    /// there at once. An expression without a value matters only if there is a round that uses it: it goes on in the second
+    /// region, then.
+    fn outside(&mut self, e: ExprId, mut region: usize) -> Option<(usize, usize)> {
         let mut taken = Vec::new();
         let (variable, range, condition) = loop {
             let Region { part, parent, .. } = self.regions[region].clone();
@@ -187,11 +189,15 @@ impl<'n, 'a> Reverse<'n, 'a> {
             return None;
         }
         if !self.fails(e) {
-            return Some(outer);
+            return Some((outer, outer));
+        }
+        // few items are added to in each round as fast
+        if is_local(self.normal, e, &[self.x]) {
+            return None;
         }
         taken.extend(condition);
         let is_used = self.has_rounds(variable, range, taken);
-        Some(self.branches(outer, is_used).0)
+        Some((outer, self.branches(outer, is_used).0))
     }
 
     /// Whether a loop has a round in which conditions hold, the last of them the first that is asked.
