@@ -144,6 +144,7 @@ pub(super) fn is_local(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId])
     match &kind {
         Kind::Item(x, _) | Kind::Component(x, _) | Kind::At(x, ..) if variables.contains(x) => true,
         Kind::ColumnOf(x, _) | Kind::RowOf(x, _) if variables.contains(x) => true,
+        Kind::Scatter { .. } => false,
         Kind::Fold { range, body, .. } => {
             let arena = &normal.program.arena;
             let few = match range {
