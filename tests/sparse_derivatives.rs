@@ -75,6 +75,8 @@ programs! {
         u ∈ ℝ^(#V)
         b ∈ ℝ^(#V)
         X ∈ ℝ^(#V×2)
+        m : V → ℝ
+        s_i ∈ ℝ
         W ∈ ℝ^(#E×#E)
         W_ij = { ½ i if (i, j) ∈ T
         T ∈ {ℤ×ℤ}
@@ -90,6 +92,13 @@ programs! {
         `K` = ∂vec(L X)/∂X
         k = vec(L X)
         l = L u - u
+        p = mᵀ L m / 2 - sᵀ L s
+        q = sᵀ L
+        r = (L s)ᵀ m + sᵀ s
+        P = ∂²p/∂m²
+        S = ∂²p/∂s²
+        R = ∂²r/∂m∂s
+        t = ∂p/∂s
     "#;
 }
 
@@ -213,7 +222,8 @@ for_both! {
             let b = DVector::from_fn(n, |i, _| (i as f64).cos());
             let points = DMatrix::from_fn(n, 2, |i, j| x[i][j]);
             let at = |u: DVector<f64>, points: DMatrix<f64>| {
-                Quadratic::new(&mesh, u, &b, points, pairs.clone()).unwrap()
+                let [m, s] = [0, 1].map(|k| x.iter().map(|x| x[k]).collect::<Vec<f64>>());
+                Quadratic::new(&mesh, u, &b, points, m, s, pairs.clone()).unwrap()
             };
             let module = at(u.clone(), points.clone());
             let by_u = |f: &dyn Fn(&Quadratic) -> DVector<f64>| {
@@ -244,6 +254,19 @@ for_both! {
             for (found, expected) in &matrices {
                 close(&dense(found), expected, 1e-6);
             }
+            // sequences of numbers as vectors
+            let l = dense(&module.L());
+            let [m, s] = [0, 1].map(|k| DVector::from_fn(n, |i, _| x[i][k]));
+            let both = &l + l.transpose();
+            close(&dense(&module.P()), &(0.5 * &both), 1e-12);
+            close(&dense(&module.S()), &-&both, 1e-12);
+            close(&dense(&module.R()), &l, 1e-12);
+            let all = DMatrix::from_columns(&[module.t(), module.q().transpose().column(0).into()]);
+            let expected = DMatrix::from_columns(&[-&both * &s, l.transpose() * &s]);
+            close(&all, &expected, 1e-12);
+            let found = [module.p(), module.r()];
+            let expected = [m.dot(&(&l * &m)) / 2.0 - s.dot(&(&l * &s)), (&l * &s).dot(&m) + s.dot(&s)];
+            assert!((found[0] - expected[0]).abs() + (found[1] - expected[1]).abs() < 1e-10);
             let row = |v: &DVector<f64>| DMatrix::from_row_slice(1, v.len(), v.as_slice());
             let number = |x: f64| DVector::from_element(1, x);
             close(&row(&module.g()), &by_u(&|m| number(m.e())), 1e-6);

@@ -43,6 +43,16 @@ impl<'a> Checker<'a> {
                 }
                 self.real_unary(Unary::Transpose, value, Shape::Matrix(m, n))
             }
+            (UnaryOp::Transpose, None) if matches!(&ty, Type::Sequence { item, .. } if item.is_scalar()) =>
+            {
+                let column = self.numbers_of(value);
+                match self.ty(column).shape() {
+                    Some(Shape::Vector(n)) => {
+                        self.real_unary(Unary::Transpose, column, Shape::Matrix(one, n))
+                    }
+                    _ => column,
+                }
+            }
             (UnaryOp::Transpose, None) if matches!(ty, Type::Matrix { .. }) => {
                 match self.program.arena.kind(value).clone() {
                     Kind::Boundary(boundary) => self.boundary(Boundary {

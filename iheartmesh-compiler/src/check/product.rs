@@ -32,36 +32,54 @@ impl<'a> Checker<'a> {
             (Type::Matrix { columns, .. }, _) => columns.clone(),
             _ => return e,
         };
-        let Type::Sequence { item, length, .. } = self.ty(e).clone() else {
+        // one that is transposed stands beside rows
+        let (sequence, transposed) = match *self.program.arena.kind(e) {
+            Kind::Unary(Unary::Transpose, column) => match *self.program.arena.kind(column) {
+                Kind::Unary(Unary::Stack, sequence) => (sequence, true),
+                _ => return e,
+            },
+            _ => (e, false),
+        };
+        let Type::Sequence { item, length, .. } = self.ty(sequence).clone() else {
             return e;
         };
         if !item.is_scalar() {
             return e;
         }
+        let mut own = self.numbers_of(sequence);
+        if let Some(Atom::Length(letter)) = length.as_atom() {
+            let wanted_vector = Type::real_vector(wanted.clone());
+            if self.tie([&length, &wanted], letter) {
+                let kind = self.program.arena.kind(own).clone();
+                own = self.add(kind, wanted_vector);
+            } else if let (Some(n), Some(m)) = (self.size(&wanted), self.size(&length)) {
+                own = self.add_at(span, Kind::Agree(n, m, own), wanted_vector);
+            }
+        }
+        match (transposed, self.ty(own).shape()) {
+            (true, Some(Shape::Vector(n))) => {
+                let row = Shape::Matrix(Dimension::known(1), n);
+                self.real_unary(Unary::Transpose, own, row)
+            }
+            _ => own,
+        }
+    }
+
+    /// The vector of the numbers in a sequence.
+    pub(super) fn numbers_of(&mut self, sequence: ExprId) -> ExprId {
+        let Type::Sequence { item, length, .. } = self.ty(sequence).clone() else {
+            return sequence;
+        };
         let reals = Type::Sequence {
             item: Box::new(Type::REAL),
             length: length.clone(),
             index: None,
         };
         let items = match item.is_integer() {
-            true => self.convert(e, &reals),
-            false => e,
+            true => self.convert(sequence, &reals),
+            false => sequence,
         };
-        let own = self.add(
-            Kind::Unary(Unary::Stack, items),
-            Type::real_vector(length.clone()),
-        );
-        let Some(Atom::Length(letter)) = length.as_atom() else {
-            return own;
-        };
-        let wanted_vector = Type::real_vector(wanted.clone());
-        if self.tie([&length, &wanted], letter) {
-            return self.add(Kind::Unary(Unary::Stack, items), wanted_vector);
-        }
-        match (self.size(&wanted), self.size(&length)) {
-            (Some(n), Some(m)) => self.add_at(span, Kind::Agree(n, m, own), wanted_vector),
-            _ => own,
-        }
+        self.add(Kind::Unary(Unary::Stack, items), Type::real_vector(length))
     }
 
     pub(super) fn product(&mut self, sides: Sides<'a>, a: ExprId, b: ExprId, dot: bool) -> ExprId {

@@ -64,7 +64,15 @@ fn in_parts(
         _ => {
             let slope = gradient(normal, y, a)?;
             let slope = normal.expr(slope)?;
-            sparse::of(normal, slope, b)
+            let found = sparse::of(normal, slope, b)?;
+            let sizes = [a, b].map(|x| count(&normal.algebra().ty(x)));
+            Ok(match (found, sizes) {
+                (Some(found), [Some(n), Some(m)]) => {
+                    let ty = sparse::sparse_matrix(n, m);
+                    Some(sparse::of_type(normal, found, &ty))
+                }
+                _ => None,
+            })
         }
     }
 }

@@ -10,7 +10,7 @@ use super::Trouble;
 use super::algebra::Algebra;
 use super::hessian::is_local;
 use super::normal::Normal;
-use crate::ir::{Block, ExprId, Fold, Kind, Range, Unary, VariableId};
+use crate::ir::{Binary, Block, ExprId, Fold, Kind, Range, Unary, VariableId};
 use crate::optimize::{MayFail, rewrite};
 use crate::syntax::ast::CompareOp;
 use crate::types::{Shape, Type};
@@ -343,7 +343,14 @@ impl<'n, 'a> Reverse<'n, 'a> {
     fn whole(&mut self, region: usize, adjoint: ExprId) {
         let one = self.algebra().arena.integer(1);
         let ty = self.normal.program.arena.ty(self.x).clone();
+        let entries = match self.algebra().kind(adjoint) {
+            Kind::Binary(Binary::Unstack, _, entries) => Some(entries),
+            _ => None,
+        };
         let stacked = match (&self.target, ty.shape()) {
+            (Target::Vector(..) | Target::Row(..), _) if entries.is_some() => {
+                entries.unwrap_or(adjoint)
+            }
             (Target::Number, _) | (_, Some(Shape::Scalar | Shape::Vector(_))) => adjoint,
             (Target::Vector(_, ty), _) => {
                 let ty = ty.clone();
@@ -435,7 +442,7 @@ impl<'n, 'a> Reverse<'n, 'a> {
                 }
                 let mut algebra = self.algebra();
                 let (n, m) = (algebra.size(item, 0), algebra.size(item, 1));
-                let size = algebra.count(crate::ir::Binary::Multiply, n, m);
+                let size = algebra.count(Binary::Multiply, n, m);
                 let inner = algebra.inside(j, n, i);
                 let place = algebra.inside(index, size, inner);
                 self.block(region, place, adjoint);

@@ -268,17 +268,19 @@ impl Sparse<'_, '_> {
             return Ok(None);
         };
         if a == self.x {
-            return Ok(Some(m));
+            return Ok(Some(of_type(self.normal, m, ty)));
         }
         let inner = self.of(a, true)?;
         Ok(inner.map(|inner| self.times(m, inner, ty)))
     }
 
     fn times(&mut self, m: ExprId, a: ExprId, ty: &Type) -> ExprId {
-        let mut s = self.normal.algebra();
-        match s.kind(a) {
-            Kind::Identity(_) => m,
-            _ => s.binary(Binary::Product, m, a, ty.clone()),
+        match self.normal.kind(a) {
+            Kind::Identity(_) => of_type(self.normal, m, ty),
+            _ => self
+                .normal
+                .algebra()
+                .binary(Binary::Product, m, a, ty.clone()),
         }
     }
 
@@ -406,7 +408,18 @@ fn zero(normal: &mut Normal<'_>, sizes: [ExprId; 2], ty: Type) -> ExprId {
     normal.program.arena.add(kind, ty)
 }
 
-fn sparse_matrix(rows: Dimension, columns: Dimension) -> Type {
+/// A matrix as one of a type whose sizes have other names. They are known to be equal: what has them stands beside one another
+/// in a product.
+pub(super) fn of_type(normal: &mut Normal<'_>, matrix: ExprId, ty: &Type) -> ExprId {
+    if normal.program.arena.ty(matrix) == ty {
+        return matrix;
+    }
+    let n = normal.algebra().size(matrix, 0);
+    let kind = Kind::Agree(n, n, matrix);
+    normal.program.arena.add(kind, ty.clone())
+}
+
+pub(super) fn sparse_matrix(rows: Dimension, columns: Dimension) -> Type {
     let mut ty = Type::real_matrix(rows, columns);
     if let Type::Matrix { sparse, .. } = &mut ty {
         *sparse = true;
