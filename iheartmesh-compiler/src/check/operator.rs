@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir::{Binary, Boundary, ExprId, Kind, SetOp, Unary};
 use crate::span::Span;
 use crate::syntax::ast::{BinaryOp, Expr, UnaryOp};
-use crate::types::{Dimension, Shape, Type};
+use crate::types::{Atom, Dimension, Shape, Type};
 
 impl<'a> Checker<'a> {
     pub(super) fn unary(&mut self, e: &'a Expr, op: UnaryOp, operand: &'a Expr) -> ExprId {
@@ -324,7 +324,7 @@ impl<'a> Checker<'a> {
         let diagnostic = Diagnostic::error(sides.left.span, message)
             .here(format!("this is {left}"))
             .label(sides.right.span, format!("this is {right}"))
-            .help(help);
+            .help(items_of_elements(a, b).unwrap_or_else(|| help.to_owned()));
         let diagnostic = self.with_origins(diagnostic, &[sides.left, sides.right]);
         self.report(diagnostic)
     }
@@ -445,6 +445,23 @@ pub(super) struct Sides<'a> {
     pub(super) e: &'a Expr,
     pub(super) left: &'a Expr,
     pub(super) right: &'a Expr,
+}
+
+/// What to do where only the number of items of a sequence stands against the number of elements of a mesh.
+fn items_of_elements(a: &Type, b: &Type) -> Option<String> {
+    let (mut letter, mut counts) = (None, false);
+    for ty in [a, b] {
+        ty.atoms(&mut |atom| match atom {
+            Atom::Length(name) => letter = Some(name.clone()),
+            Atom::Count(_) => counts = true,
+            _ => {}
+        });
+    }
+    let letter = letter.filter(|_| counts)?;
+    Some(format!(
+        "`|{letter}|` is the number of items of what has the subscript `{letter}`; a sequence with an item for each vertex is \
+         declared `x : V → ℝ³`"
+    ))
 }
 
 /// Rows and columns: a number is 1×1, a vector has one column.
