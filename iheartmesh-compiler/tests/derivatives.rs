@@ -437,3 +437,26 @@ fn singular_points() {
         }
     }
 }
+
+/// A definition that is used three times by the next one, twenty times: a walk over all of its uses would have no end.
+#[test]
+fn what_is_used_often_is_looked_at_once() {
+    let mut text = "x_i ∈ ℝ\nS(k) = `c20` where k ∈ ℤ, `c0` = ∑_(i = 1)^k x_i²".to_owned();
+    for k in 1..=20 {
+        text += &format!(
+            ", `c{k}` = ½ (`c{0}` + √(1 + `c{0}` `c{0}`))/(1 + `c{0}`)",
+            k - 1
+        );
+    }
+    text += "\ny ∈ ℝ^2\ny_k = S(k)\ng = ∂y/∂x\n";
+    let check = move || {
+        let program = compiled(&text);
+        let x = [0.3, -0.2];
+        let slopes = differences(&program, "y", "x_i ∈ ℝ", &x);
+        let found = program.value("g", "x_i ∈ ℝ", &x, true);
+        assert!((found - slopes).amax() < 1e-8);
+    };
+    // the interpreter goes down one definition after the other
+    let thread = std::thread::Builder::new().stack_size(1 << 26);
+    thread.spawn(check).unwrap().join().unwrap();
+}

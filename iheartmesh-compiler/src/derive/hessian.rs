@@ -148,6 +148,16 @@ pub(super) fn is_local(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId])
     if variables.contains(&e) {
         return false;
     }
+    let known = (e, variables.to_vec());
+    if let Some(known) = normal.local.get(&known) {
+        return *known;
+    }
+    let found = is_made_of_items(normal, e, variables);
+    normal.local.insert(known, found);
+    found
+}
+
+fn is_made_of_items(normal: &mut Normal<'_>, e: ExprId, variables: &[ExprId]) -> bool {
     let kind = normal.kind(e);
     match &kind {
         Kind::Item(x, _) | Kind::Component(x, _) | Kind::At(x, ..) if variables.contains(x) => true,

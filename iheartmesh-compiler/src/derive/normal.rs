@@ -27,6 +27,8 @@ pub(super) struct Normal<'a> {
     variables: Vec<ExprId>,
     depends: HashMap<ExprId, bool>,
     depends_on: HashMap<(ExprId, ExprId), bool>,
+    /// Whether an expression takes items of some variables only.
+    pub(super) local: HashMap<(ExprId, Vec<ExprId>), bool>,
     memo: HashMap<ExprId, ExprId>,
     open: Vec<FunctionId>,
 }
@@ -38,6 +40,7 @@ impl<'a> Normal<'a> {
             variables: variables.to_vec(),
             depends: HashMap::new(),
             depends_on: HashMap::new(),
+            local: HashMap::new(),
             memo: HashMap::new(),
             open: Vec::new(),
         }
