@@ -106,17 +106,15 @@ impl Normal<'_> {
                 Ok(self.algebra().divide(a, divisor))
             }
             Kind::Binary(Binary::Product, a, b)
-                if let Kind::Unary(Unary::Diagonal, factors) = self.kind(a)
-                    && is_vector(self.program.arena.ty(factors))
-                    && is_vector(self.program.arena.ty(b)) =>
-            {
-                let factor = self.added(Kind::Component(factors, k), Type::REAL)?;
-                let b = self.added(entry(b), Type::REAL)?;
-                Ok(self.algebra().scale(factor, b))
-            }
-            Kind::Binary(Binary::Product, a, b)
                 if is_vector(self.program.arena.ty(b)) && !is_vector(self.program.arena.ty(a)) =>
             {
+                if let Kind::Unary(Unary::Diagonal, factors) = self.kind(a)
+                    && is_vector(self.program.arena.ty(factors))
+                {
+                    let factor = self.added(Kind::Component(factors, k), Type::REAL)?;
+                    let b = self.added(entry(b), Type::REAL)?;
+                    return Ok(self.algebra().scale(factor, b));
+                }
                 let Some(Shape::Matrix(_, m)) = self.program.arena.ty(a).shape() else {
                     return Ok(e);
                 };

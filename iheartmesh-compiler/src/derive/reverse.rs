@@ -343,20 +343,15 @@ impl<'n, 'a> Reverse<'n, 'a> {
     fn whole(&mut self, region: usize, adjoint: ExprId) {
         let one = self.algebra().arena.integer(1);
         let ty = self.normal.program.arena.ty(self.x).clone();
-        let entries = match self.algebra().kind(adjoint) {
-            Kind::Binary(Binary::Unstack, _, entries) => Some(entries),
-            _ => None,
-        };
-        let stacked = match (&self.target, ty.shape()) {
-            (Target::Vector(..) | Target::Row(..), _) if entries.is_some() => {
-                entries.unwrap_or(adjoint)
-            }
-            (Target::Number, _) | (_, Some(Shape::Scalar | Shape::Vector(_))) => adjoint,
-            (Target::Vector(_, ty), _) => {
+        let stacked = match (self.algebra().kind(adjoint), &self.target, ty.shape()) {
+            (_, Target::Number, _) => adjoint,
+            (Kind::Binary(Binary::Unstack, _, entries), ..) => entries,
+            (_, _, Some(Shape::Scalar | Shape::Vector(_))) => adjoint,
+            (_, Target::Vector(_, ty), _) => {
                 let ty = ty.clone();
                 self.algebra().unary(Unary::Stack, adjoint, ty)
             }
-            (Target::Row(_, _, ty), _) => {
+            (_, Target::Row(_, _, ty), _) => {
                 let Type::Matrix { columns, .. } = ty.clone() else {
                     return;
                 };
